@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "solver/base/types.h"
+#include "solver/material/hardening.h"
+
+namespace hydroscope {
+
+/// Elastoplastic sheet material in plane stress, J2 or Hill 1948, with
+/// isotropic hardening. Components in material axes, order 11, 22, 12, with
+/// the engineering shear strain (axis 1 along the tube's axis).
+struct SheetMaterial {
+  double youngs_modulus = 0.0;  ///< [MPa]
+  double poisson = 0.0;
+  double r0 = 1.0, r45 = 1.0, r90 = 1.0;  ///< Lankford values; all 1: J2
+  Hardening hardening;
+
+  double shear_modulus() const { return youngs_modulus / (2.0 * (1.0 + poisson)); }
+  /// C of plane stress (mechanics 2.1).
+  Mat3 calc_elasticity() const;
+  /// P such that sbar^2 = 3/2 s^T P s (mechanics 2.1, 2.3).
+  Mat3 calc_yield_matrix() const;
+};
+
+/// What an integration point remembers.
+struct MaterialPoint {
+  Vec3 stress = Vec3::Zero();  ///< sigma - sigma33 (1, 1, 0) [MPa]: J2 does not feel the hydrostatic shift
+  double plastic_strain = 0.0;
+};
+
+/// Constants of a material, computed once a run.
+struct SheetLaw {
+  explicit SheetLaw(const SheetMaterial& material);
+  SheetMaterial material;
+  Mat3 elasticity, compliance, yield_matrix;
+};
+
+struct StressUpdate {
+  MaterialPoint point;   ///< at the end
+  Mat3 tangent;          ///< d stress / d strain, consistent with the return (Simo & Taylor 1986)
+  bool is_plastic = false;
+  double plastic_increment = 0.0;
+};
+
+/// One strain increment (D dt), integrated by the closest-point return in the
+/// plane-stress subspace (mechanics 2.5). The yield function is evaluated with
+/// stresses shifted by sigma33; the elastic strain of a change of sigma33
+/// [MPa] is taken off first: (1 - 2 nu)/E d sigma33 on both normal strains.
+/// Throws ContractError when the local iteration fails (never seen for
+/// hardening with a slope >= 0).
+StressUpdate update_stress(const SheetLaw& law, const MaterialPoint& start, const Vec3& strain_increment,
+                           double sigma33_increment = 0.0);
+
+/// Equivalent stress sqrt(3/2 s^T P s) [MPa].
+double calc_equivalent_stress(const Mat3& yield_matrix, const Vec3& stress);
+
+}  // namespace hydroscope
