@@ -18,7 +18,8 @@ namespace hydroscope {
 /// Exactly one of `tube`, `strip` and `mesh` describes the sheet.
 
 struct TubeScene {                      // [tube]: straight round tube along z, axis through the origin
-  double radius = 0.0;                  // radius_mm: mid-surface (or outer_radius_mm: converted on reading)
+  double radius = 0.0;                  // radius_mm: mid-surface; always set after reading
+  double outer_radius = 0.0;            // outer_radius_mm: instead of radius_mm; radius = outer_radius - thickness / 2
   double thickness = 0.0;               // thickness_mm
   double length = 0.0;                  // length_mm: whole length of the tube (of a slice: width of the strip)
   std::string section = "full";         // section: full | half | quarter | octant | sector | (angles from +x)
