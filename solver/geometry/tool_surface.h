@@ -19,7 +19,9 @@ struct FootPoint {
   /// (1/|m|)(I - n n^T) dm/dx. Its rows are tangential (n^T dn/dx = 0); +1/R on a convex,
   /// -1/R on a concave surface.
   Mat3 normal_gradient = Mat3::Zero();
-  Vec3 gap_gradient = Vec3::UnitZ();  ///< dg/dx: the facet's normal (a mesh), or `normal` (smooth surfaces)
+  /// dg/dx of the returned gap, exactly: `normal` on smooth surfaces; on a mesh at gap 0 the facet's
+  /// normal over its cosine with `normal` (so that normal . dg/dx = 1).
+  Vec3 gap_gradient = Vec3::UnitZ();
   int facet = -1;                     ///< facet of a mesh, patch of an analytic surface
   double beyond_edge = 0.0;           ///< how far the point lies beyond an open edge of the tool [mm]; 0 inside
 };

@@ -13,8 +13,9 @@ namespace hydroscope {
 /// Throws InputError naming the file and what is wrong (missing, truncated,
 /// no mesh, NaN coordinates, no triangles, ...).
 struct ImportedMesh {
-  TriangleMesh mesh;             ///< [mm], after `unit_scale`
+  TriangleMesh mesh;  ///< [mm], after `unit_scale`
   int points_read = 0, points_welded = 0, degenerate_dropped = 0, quads_split = 0;
+  int duplicates_dropped = 0;  ///< triangles given twice
 };
 ImportedMesh read_tool_mesh(const std::string& file, double unit_scale);
 

@@ -1,0 +1,292 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solver/geometry/mesh_surface.h"
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "solver/base/error.h"
+
+namespace hydroscope {
+
+namespace {
+
+constexpr double kEps = 1e-9;        // barycentric: on the border between two prisms
+constexpr int kLongestWalk = 16;     // facets
+constexpr double kFarReach = 4.0;    // how far to look for a clearance, in reaches
+constexpr double kPrismReach = 1.5;  // a prism leans: its height may exceed the distance of its facet
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+}  // namespace
+
+MeshSurface::MeshSurface(const TriangleMesh& mesh, const MeshSurfaceOptions& options)
+    : topology_(make_topology(mesh)),
+      points_(mesh.triangles),
+      tree_(mesh),
+      keeps_facet_normals_(options.normals == NormalRule::facet) {
+  const double crease_angle = options.crease_angle * std::numbers::pi / 180.0;
+  CornerNormals corners = calc_corner_normals(mesh, topology_, options.normals, crease_angle);
+  prisms_.reserve(mesh.triangles.size());
+  double area2 = 0.0;
+  for (std::size_t f = 0; f < mesh.triangles.size(); ++f) {
+    std::array<Vec3, 3> x, v;
+    for (std::size_t k = 0; k < 3; ++k) {
+      x[k] = mesh.points[at(mesh.triangles[f][k])];
+      v[k] = corners.normals[at(corners.corners[f][k])];
+    }
+    prisms_.push_back(make_prism(x, v));
+    require(prisms_.back().area2 > 0.0, "a tool surface needs facets with an area");
+    area2 += prisms_.back().area2;
+  }
+  size_ = (tree_.high() - tree_.low()).norm();
+  floor_ = 1e-3 * std::sqrt(area2 / static_cast<double>(mesh.triangles.size()));
+  link_facets(corners);
+  mark_seams(mesh);
+  display_mesh_.triangles = std::move(corners.corners);
+  for (int point : corners.points) display_mesh_.points.push_back(mesh.points[at(point)]);
+  normals_ = std::move(corners.normals);
+}
+
+void MeshSurface::link_facets(const CornerNormals& corners) {
+  const std::size_t count = points_.size();
+  next_.assign(count, {-1, -1, -1});
+  links_.assign(count, {Link::rim, Link::rim, Link::rim});
+  is_tip_.assign(topology_.ring_start.size() - 1, 0);
+  for (std::size_t f = 0; f < count; ++f) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const MeshTopology::Side& side = topology_.sides[f][k];
+      if (side.facet < 0) continue;
+      const std::size_t from = (k + 1) % 3;
+      const std::size_t to = (k + 2) % 3;
+      const auto& there = corners.corners[at(side.facet)];
+      const std::size_t other = at(side.edge);
+      const bool is_smooth = !side.is_flipped && corners.corners[f][from] == there[(other + 2) % 3] &&
+                             corners.corners[f][to] == there[(other + 1) % 3];
+      next_[f][k] = side.facet;
+      links_[f][k] = is_smooth ? Link::smooth : Link::crease;
+      if (is_smooth) continue;
+      if (static_cast<int>(f) < side.facet) ++crease_edges_;
+      is_tip_[at(points_[f][from])] = is_tip_[at(points_[f][to])] = 1;
+    }
+  }
+}
+
+void MeshSurface::mark_seams(const TriangleMesh& mesh) {
+  // Rims that lie on other facets (T-joints, unwelded seams, edges of three facets): beyond them a
+  // prism may go on that the walk cannot reach.
+  const double tolerance = 1e-5 * size_;
+  for (std::size_t f = 0; f < points_.size(); ++f) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (links_[f][k] != Link::rim) continue;
+      const Vec3& from = mesh.points[at(points_[f][(k + 1) % 3])];
+      const Vec3& to = mesh.points[at(points_[f][(k + 2) % 3])];
+      for (double s : {0.07, 0.31, 0.5, 0.69, 0.93}) {
+        const Vec3 x = from + s * (to - from);
+        tree_.visit_within(x, tolerance, [&](int other) {
+          if (at(other) == f) return;
+          if (tree_.calc_distance2(x, other) < tolerance * tolerance) links_[f][k] = Link::seam;
+        });
+      }
+    }
+  }
+}
+
+ToolEdge MeshSurface::make_edge(int facet, int k) const {
+  const Prism& prism = prisms_[at(facet)];
+  const int from = (k + 1) % 3;
+  const int to = (k + 2) % 3;
+  ToolEdge edge;
+  edge.start = prism.corner(from);
+  edge.end = prism.corner(to);
+  edge.start_left = edge.start_right = prism.corner_normal(from);
+  edge.end_left = edge.end_right = prism.corner_normal(to);
+  const int neighbour = next_[at(facet)][at(k)];
+  if (neighbour < 0) return edge;
+  const auto& side = topology_.sides[at(facet)][at(k)];
+  const int start = side.is_flipped ? (side.edge + 1) % 3 : (side.edge + 2) % 3;
+  const int end = side.is_flipped ? (side.edge + 2) % 3 : (side.edge + 1) % 3;
+  edge.start_right = prisms_[at(neighbour)].corner_normal(start);
+  edge.end_right = prisms_[at(neighbour)].corner_normal(end);
+  return edge;
+}
+
+std::optional<FootPoint> MeshSurface::find_foot_point(const Vec3& x, double band, double depth,
+                                                      SearchHint& hint) const {
+  const double reach = std::max(band, depth);
+  if (hint.clearance > 0.0 && (x - hint.position).norm() + reach < hint.clearance) return std::nullopt;
+  TriangleTree::Nearest best{-1, kFarReach * kFarReach * reach * reach};
+  if (hint.facet >= 0 && at(hint.facet) < prisms_.size()) {
+    const double distance2 = tree_.calc_distance2(x, hint.facet);
+    if (distance2 < best.distance2) best = {hint.facet, distance2};
+  }
+  best = tree_.find_nearest(x, best);
+  const double distance = std::sqrt(best.distance2);
+  hint.position = x;
+  hint.clearance = distance;
+  hint.facet = best.facet;
+  // A foot point is never nearer than the nearest facet: out of reach is out of the window.
+  if (best.facet < 0 || distance > reach) return std::nullopt;
+  FootPoint foot =
+      keeps_facet_normals_ ? locate_facet_normal(x, best.facet) : locate(x, best.facet, distance);
+  hint.facet = foot.facet;
+  if (foot.gap > band || foot.gap < -depth) return std::nullopt;
+  return foot;
+}
+
+FootPoint MeshSurface::locate(const Vec3& x, int nearest, double distance) const {
+  int facet = nearest;
+  int previous = -1;
+  for (int step = 0; step < kLongestWalk; ++step) {
+    const PrismPoint place = locate_in_prism(prisms_[at(facet)], x);
+    if (!place.is_valid) break;
+    if (place.smallest() >= -kEps) return finish_in_prism(x, facet, place);
+    // Cross the edge that is missed most; a rim only counts when nothing else is left.
+    int crossed = -1;
+    for (int k = 0; k < 3; ++k) {
+      if (place.l(k) >= -kEps || next_[at(facet)][at(k)] < 0) continue;
+      if (crossed < 0 || place.l(k) < place.l(crossed)) crossed = k;
+    }
+    if (crossed < 0) {
+      if (const auto foot = find_rim(x, facet, place)) return *foot;
+      break;
+    }
+    const int next = next_[at(facet)][at(crossed)];
+    if (next == previous) break;  // between two prisms: the wedge of a crease
+    previous = facet;
+    facet = next;
+  }
+  const double radius = kPrismReach * distance + kEps * size_;
+  if (const auto foot = find_any_prism(x, radius)) return *foot;
+  if (const auto foot = find_any_crease(x, radius)) return *foot;
+  return find_any_end(x, nearest, distance, radius);
+}
+
+FootPoint MeshSurface::finish_in_prism(const Vec3& x, int facet, const PrismPoint& place) const {
+  int owner = facet;
+  PrismPoint owner_place = place;
+  if (place.smallest() <= kEps) {
+    // On the border of several prisms the lowest facet answers, whatever the way that led here.
+    for (int k = 0; k < 3; ++k) {
+      if (place.l(k) > kEps) continue;
+      const int point = points_[at(facet)][at((k + 1) % 3)];
+      for (int p : {point, points_[at(facet)][at((k + 2) % 3)]}) {
+        for (int i = topology_.ring_start[at(p)]; i < topology_.ring_start[at(p + 1)]; ++i) {
+          const int other = topology_.ring[at(i)];
+          if (other >= owner) break;
+          const PrismPoint there = locate_in_prism(prisms_[at(other)], x);
+          if (!there.is_valid || there.smallest() < -kEps) continue;
+          if (std::abs(there.g - place.g) > 1e-6 * size_) continue;
+          owner = other;
+          owner_place = there;
+        }
+      }
+    }
+  }
+  FootPoint foot = make_foot_point(prisms_[at(owner)], owner_place, x);
+  foot.facet = owner;
+  return foot;
+}
+
+std::optional<FootPoint> MeshSurface::find_rim(const Vec3& x, int facet, const PrismPoint& place) const {
+  std::optional<FootPoint> best;
+  for (int k = 0; k < 3; ++k) {
+    if (place.l(k) >= -kEps) continue;
+    if (links_[at(facet)][at(k)] == Link::seam) return std::nullopt;
+    FootPoint foot = find_rim_foot(make_edge(facet, k), x);
+    foot.facet = facet;
+    if (!best || (x - foot.point).norm() < (x - best->point).norm()) best = foot;
+  }
+  return best;
+}
+
+std::optional<FootPoint> MeshSurface::find_any_prism(const Vec3& x, double radius) const {
+  int facet = -1;
+  PrismPoint best;
+  tree_.visit_within(x, radius, [&](int f) {
+    const PrismPoint place = locate_in_prism(prisms_[at(f)], x);
+    if (!place.is_valid || place.smallest() < -kEps || std::abs(place.g) > radius) return;
+    const double nearer = std::abs(place.g) - std::abs(best.g);
+    if (facet >= 0 && (nearer > 0.0 || (nearer == 0.0 && f > facet))) return;
+    facet = f;
+    best = place;
+  });
+  if (facet < 0) return std::nullopt;
+  return finish_in_prism(x, facet, best);
+}
+
+std::optional<FootPoint> MeshSurface::find_any_crease(const Vec3& x, double radius) const {
+  std::optional<FootPoint> best;
+  tree_.visit_within(x, radius, [&](int f) {
+    for (int k = 0; k < 3; ++k) {
+      if (links_[at(f)][at(k)] != Link::crease || next_[at(f)][at(k)] < f) continue;
+      auto foot = find_crease_foot(make_edge(f, k), x, floor_);
+      if (!foot || std::abs(foot->gap) > radius) continue;
+      foot->facet = f;
+      if (best) {
+        const double nearer = std::abs(foot->gap) - std::abs(best->gap);
+        if (nearer > 0.0 || (nearer == 0.0 && f > best->facet)) continue;
+      }
+      best = foot;
+    }
+  });
+  return best;
+}
+
+FootPoint MeshSurface::find_any_end(const Vec3& x, int nearest, double distance, double radius) const {
+  std::optional<FootPoint> best;
+  double best_distance = 1.2 * distance + kEps * size_;
+  const auto keep = [&](FootPoint foot, int facet) {
+    foot.facet = facet;
+    const double d = (x - foot.point).norm();
+    if (d > best_distance || (best && d == best_distance && facet >= best->facet)) return;
+    best = foot;
+    best_distance = d;
+  };
+  tree_.visit_within(x, radius, [&](int f) {
+    const Prism& prism = prisms_[at(f)];
+    for (int k = 0; k < 3; ++k) {
+      if (next_[at(f)][at(k)] < 0) keep(find_rim_foot(make_edge(f, k), x), f);
+      if (is_tip_[at(points_[at(f)][at(k)])] == 0) continue;
+      keep(find_tip_foot(prism.corner(k), prism.corner_normal(k), x, floor_), f);
+    }
+  });
+  if (best) return *best;
+  // Node normals too crooked for their facets: the closest point still answers.
+  const Prism& prism = prisms_[at(nearest)];
+  const ClosestPoint closest = find_closest_point(x, prism.corner(0), prism.corner(1), prism.corner(2));
+  FootPoint foot;
+  foot.point = closest.point;
+  foot.normal = foot.gap_gradient =
+      (prism.v3 + closest.weights[0] * prism.d1 + closest.weights[1] * prism.d2).normalized();
+  foot.gap = foot.normal.dot(x - closest.point);
+  foot.facet = nearest;
+  return foot;
+}
+
+FootPoint MeshSurface::locate_facet_normal(const Vec3& x, int nearest) const {
+  const Prism& prism = prisms_[at(nearest)];
+  const ClosestPoint closest = find_closest_point(x, prism.corner(0), prism.corner(1), prism.corner(2));
+  FootPoint foot;
+  foot.point = closest.point;
+  foot.normal = foot.gap_gradient = prism.normal;  // (4.1): jumps from facet to facet
+  foot.gap = prism.normal.dot(x - closest.point);
+  foot.facet = nearest;
+  for (int k = 0; k < 3; ++k) {
+    const bool is_on_edge = closest.weights[k] <= 0.0;
+    if (!is_on_edge || next_[at(nearest)][at(k)] >= 0) continue;
+    foot.beyond_edge = (x - closest.point - foot.gap * foot.normal).norm();
+  }
+  return foot;
+}
+
+std::vector<int> MeshSurface::list_prisms_at(const Vec3& x, double reach) const {
+  std::vector<int> facets;
+  for (int f = 0; f < static_cast<int>(prisms_.size()); ++f) {
+    const PrismPoint place = locate_in_prism(prisms_[at(f)], x);
+    if (place.is_valid && place.smallest() >= -kEps && std::abs(place.g) <= reach) facets.push_back(f);
+  }
+  return facets;
+}
+
+}  // namespace hydroscope

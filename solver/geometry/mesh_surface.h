@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "solver/geometry/edge_foot.h"
+#include "solver/geometry/mesh_topology.h"
+#include "solver/geometry/prism.h"
+#include "solver/geometry/tool_surface.h"
+#include "solver/geometry/triangle_tree.h"
+#include "solver/geometry/vertex_normals.h"
+
+namespace hydroscope {
+
+struct MeshSurfaceOptions {
+  NormalRule normals = NormalRule::area;
+  double crease_angle = 40.0;  ///< [deg]; normals are not averaged over sharper edges
+};
+
+/// A tool surface of flat triangles with averaged node normals (method 2), searched
+/// through normal prisms (mechanics 7.2), so that no point is lost.
+///
+/// The answer for a point is a function of the point alone: the nearest facet, then a
+/// walk to the prism that holds the point. A hint (the facet of the last look-up) makes
+/// the search cheap, but does not change a bit of the result.
+/// With `NormalRule::facet`: the closest point of the mesh with its facet's normal, which jumps.
+class MeshSurface final : public ToolSurface {
+ public:
+  /// Facets must have an area (ContractError) and should be oriented alike.
+  explicit MeshSurface(const TriangleMesh& mesh, const MeshSurfaceOptions& options = {});
+
+  std::optional<FootPoint> find_foot_point(const Vec3& x, double band, double depth,
+                                           SearchHint& hint) const override;
+  /// Points on creases are repeated, one for each of their normals; facets keep their numbers.
+  const TriangleMesh& display_mesh() const override { return display_mesh_; }
+  const std::vector<Vec3>& display_normals() const override { return normals_; }
+
+  int crease_edges() const { return crease_edges_; }
+  const MeshTopology& topology() const { return topology_; }
+
+  /// Facets whose prism holds `x` with a height |g| <= `reach` [mm]; by trying all of them.
+  std::vector<int> list_prisms_at(const Vec3& x, double reach) const;
+
+ private:
+  enum class Link : unsigned char { smooth, crease, rim, seam };  ///< seam: a rim that touches other facets
+
+  void link_facets(const CornerNormals& corners);
+  void mark_seams(const TriangleMesh& mesh);
+  FootPoint locate(const Vec3& x, int nearest, double distance) const;
+  FootPoint locate_facet_normal(const Vec3& x, int nearest) const;
+  FootPoint finish_in_prism(const Vec3& x, int facet, const PrismPoint& at) const;
+  std::optional<FootPoint> find_rim(const Vec3& x, int facet, const PrismPoint& at) const;
+  std::optional<FootPoint> find_any_prism(const Vec3& x, double radius) const;
+  std::optional<FootPoint> find_any_crease(const Vec3& x, double radius) const;
+  FootPoint find_any_end(const Vec3& x, int nearest, double distance, double radius) const;
+  ToolEdge make_edge(int facet, int k) const;
+
+  MeshTopology topology_;
+  TriangleMesh display_mesh_;
+  std::vector<Vec3> normals_;
+  std::vector<Prism> prisms_;
+  std::vector<std::array<int, 3>> next_;    // neighbour across edge k, -1 at a rim
+  std::vector<std::array<Link, 3>> links_;  // kind of edge k
+  std::vector<std::array<int, 3>> points_;  // as given, before points on creases were repeated
+  std::vector<char> is_tip_;                // points on creases
+  TriangleTree tree_;
+  bool keeps_facet_normals_ = false;
+  int crease_edges_ = 0;
+  double size_ = 0.0;   // diagonal of the bounding box [mm]
+  double floor_ = 0.0;  // radius given to a crease in curvatures [mm]
+};
+
+}  // namespace hydroscope
