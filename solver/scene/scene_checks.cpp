@@ -7,7 +7,7 @@
 
 #include "solver/base/error.h"
 #include "solver/scene/key_suggestion.h"
-#include "solver/scene/scene_values.h"
+#include "solver/scene/number_text.h"
 
 namespace hydroscope {
 namespace {

@@ -24,7 +24,7 @@ std::string join_path(const std::vector<std::string>& path) {
 
 std::vector<std::string> table_names() {
   std::vector<std::string> names;
-  for (const Table& table : scene_tables()) {
+  for (const SceneTable& table : scene_tables()) {
     if (!table.name.empty()) names.push_back(table.name);
   }
   return names;
@@ -43,11 +43,11 @@ bool is_plain_name(const std::string& name) {
 }
 
 [[noreturn]] void fail_unknown_key(const std::string& where, const std::string& path, const std::string& key,
-                                   const Table& table) {
+                                   const SceneTable& table) {
   const std::string start = where + ": key '" + path + "': unknown";
   const std::string nearest = find_nearest_name(key, table.key_names());
   if (!nearest.empty()) throw InputError(start + "; did you mean '" + nearest + "'?");
-  for (const Table& other : scene_tables()) {
+  for (const SceneTable& other : scene_tables()) {
     if (other.find(key) != nullptr) throw InputError(start + "; it belongs to " + other.header());
   }
   std::string list;
@@ -57,9 +57,9 @@ bool is_plain_name(const std::string& name) {
 
 void check_table_header(const SourceTable& header) {
   const std::string& name = header.path.front();
-  const Table* table = find_scene_table(name);
+  const SceneTable* table = find_scene_table(name);
   if (table == nullptr || name.empty()) {
-    const Key* top = find_scene_table("")->find(name);
+    const SceneKey* top = find_scene_table("")->find(name);
     if (top != nullptr)
       throw InputError(header.where + ": key '" + name + "': is a table here; expected a value");
     fail_unknown_table(header.where, name);
@@ -86,40 +86,40 @@ void check_table_header(const SourceTable& header) {
 }
 
 struct Resolved {
-  const Table* table = nullptr;
-  const Key* key = nullptr;
+  const SceneTable* table = nullptr;
+  const SceneKey* key = nullptr;
   std::string name;  ///< of a named table
 };
 
 Resolved resolve(const SourceEntry& entry) {
   const std::string path = join_path(entry.path);
   if (entry.path.size() == 1) {
-    const Table* table = find_scene_table(entry.path[0]);
+    const SceneTable* table = find_scene_table(entry.path[0]);
     if (table != nullptr && !entry.path[0].empty()) {
       throw InputError(entry.where + ": key '" + path + "': is a table; write " + table->header());
     }
-    const Table& top = *find_scene_table("");
-    const Key* key = top.find(entry.path[0]);
+    const SceneTable& top = *find_scene_table("");
+    const SceneKey* key = top.find(entry.path[0]);
     if (key == nullptr) fail_unknown_key(entry.where, path, path, top);
     return {&top, key, ""};
   }
-  const Table* table = find_scene_table(entry.path[0]);
+  const SceneTable* table = find_scene_table(entry.path[0]);
   if (table == nullptr) fail_unknown_table(entry.where, entry.path[0]);
   const size_t depth = table->is_named() ? 3 : 2;
   if (entry.path.size() < depth) {
     throw InputError(entry.where + ": key '" + path + "': [" + table->name +
                      "] holds tables by name; write " + table->header());
   }
-  const Key* key = entry.path.size() == depth ? table->find(entry.path.back()) : nullptr;
+  const SceneKey* key = entry.path.size() == depth ? table->find(entry.path.back()) : nullptr;
   if (key == nullptr) fail_unknown_key(entry.where, path, entry.path[depth - 1], *table);
   return {table, key, table->is_named() ? entry.path[1] : std::string()};
 }
 
-std::string text_in(const Table& table, const std::string& key, Scene& scene, const std::string& name) {
+std::string text_in(const SceneTable& table, const std::string& key, Scene& scene, const std::string& name) {
   return *std::get<std::string*>(table.find(key)->slot(scene, name));
 }
 
-std::string describe_condition(const Key& key) {
+std::string describe_condition(const SceneKey& key) {
   std::string values;
   for (const std::string& value : key.condition.values)
     values += (values.empty() ? "\"" : " or \"") + value + "\"";
@@ -127,9 +127,9 @@ std::string describe_condition(const Key& key) {
 }
 
 /// Required keys are there, and no key is given that the chosen kind does not read.
-void check_kinds(Scene& scene, const GivenKeys& given, const Table& table, const std::string& path,
+void check_kinds(Scene& scene, const GivenKeys& given, const SceneTable& table, const std::string& path,
                  const std::string& name) {
-  for (const Key& key : table.keys) {
+  for (const SceneKey& key : table.keys) {
     bool counts = true;
     if (!key.condition.key.empty()) {
       const std::string chosen = text_in(table, key.condition.key, scene, name);
@@ -151,7 +151,7 @@ void check_kinds(Scene& scene, const GivenKeys& given, const Table& table, const
 
 void check_all_kinds(Scene& scene, const GivenKeys& given, const SceneSource& source) {
   for (const SourceTable& header : source.tables) {
-    const Table& table = *find_scene_table(header.path.front());
+    const SceneTable& table = *find_scene_table(header.path.front());
     if (header.path.size() != (table.is_named() ? 2U : 1U)) continue;
     check_kinds(scene, given, table, join_path(header.path),
                 table.is_named() ? header.path[1] : std::string());
@@ -168,7 +168,7 @@ void set_dependent_defaults(Scene& scene, const GivenKeys& given) {
 
 /// So that `[tool.die]` without a key exists, too.
 void touch_named_table(Scene& scene, const SourceTable& header) {
-  const Table* table = find_scene_table(header.path.front());
+  const SceneTable* table = find_scene_table(header.path.front());
   if (table->is_named() && header.path.size() == 2) table->keys.front().slot(scene, header.path[1]);
 }
 

@@ -9,14 +9,14 @@
 namespace hydroscope {
 namespace {
 
-std::string describe_allowed(const Key& key) {
+std::string describe_allowed(const SceneKey& key) {
   std::string allowed;
   for (const std::string& choice : key.choices)
     allowed += (allowed.empty() ? "`\"" : ", `\"") + choice + "\"`";
   return allowed.empty() ? describe_range(key.range) : allowed;
 }
 
-std::string describe_default(const Table& table, const Key& key) {
+std::string describe_default(const SceneTable& table, const SceneKey& key) {
   if (key.is_required) return "required";
   Scene defaults;
   const std::string name = table.is_named() ? table.of.front() : "";
@@ -25,15 +25,15 @@ std::string describe_default(const Table& table, const Key& key) {
 }
 
 /// A value outside the range stands for "not given" (a radius of 0).
-bool is_default_unset(const Key& key, const Slot& slot) {
+bool is_default_unset(const SceneKey& key, const SceneSlot& slot) {
   if (const auto* number = std::get_if<double*>(&slot)) return **number < key.range.low;
   if (const auto* number = std::get_if<int*>(&slot)) return **number < key.range.low;
   return false;
 }
 
-void write_key(std::ostream& out, const Table& table, const Key& key) {
+void write_key(std::ostream& out, const SceneTable& table, const SceneKey& key) {
   Scene defaults;
-  const Slot slot = key.slot(defaults, table.is_named() ? table.of.front() : "");
+  const SceneSlot slot = key.slot(defaults, table.is_named() ? table.of.front() : "");
   std::string counts;
   for (const std::string& value : key.condition.values)
     counts += (counts.empty() ? "`" : ", `") + value + "`";
@@ -62,10 +62,10 @@ Any key can be given on the command line, where it replaces that of the file:
 std::string make_scene_reference() {
   std::ostringstream out;
   out << kStart;
-  for (const Table& table : scene_tables()) {
+  for (const SceneTable& table : scene_tables()) {
     out << "\n## " << (table.name.empty() ? "Top of the file" : "`" + table.header() + "`") << "\n\n"
         << table.doc << "\n\n| key | type | default | allowed | meaning |\n|---|---|---|---|---|\n";
-    for (const Key& key : table.keys) write_key(out, table, key);
+    for (const SceneKey& key : table.keys) write_key(out, table, key);
   }
   return out.str();
 }

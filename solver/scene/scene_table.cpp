@@ -31,14 +31,14 @@ template <class Part, class Value>
 const Part* owner_of(Value Part::*);
 
 template <auto Member>
-Slot slot_of(Scene& scene, const std::string& name) {
+SceneSlot slot_of(Scene& scene, const std::string& name) {
   using Part = std::remove_pointer_t<decltype(owner_of(Member))>;
   return &(part_of(scene, name, static_cast<Part*>(nullptr)).*Member);
 }
 
 template <auto Member>
-Key key(std::string name, std::string unit, std::string doc) {
-  Key made;
+SceneKey key(std::string name, std::string unit, std::string doc) {
+  SceneKey made;
   made.name = std::move(name);
   made.unit = std::move(unit);
   made.doc = std::move(doc);
@@ -48,7 +48,7 @@ Key key(std::string name, std::string unit, std::string doc) {
 
 constexpr double kMany = 1e9;
 
-Table make_top() {
+SceneTable make_top() {
   return {"",
           "Before the first table.",
           {},
@@ -57,7 +57,7 @@ Table make_top() {
           }};
 }
 
-Table make_tube() {
+SceneTable make_tube() {
   using T = TubeScene;
   return {
       "tube",
@@ -101,7 +101,7 @@ Table make_tube() {
       }};
 }
 
-Table make_strip() {
+SceneTable make_strip() {
   using T = StripScene;
   return {
       "strip",
@@ -126,7 +126,7 @@ Table make_strip() {
       }};
 }
 
-Table make_mesh() {
+SceneTable make_mesh() {
   using T = MeshScene;
   return {
       "mesh",
@@ -141,7 +141,7 @@ Table make_mesh() {
       }};
 }
 
-Table make_material() {
+SceneTable make_material() {
   using T = MaterialScene;
   return {
       "material",
@@ -194,7 +194,7 @@ Table make_material() {
       }};
 }
 
-Table make_shell() {
+SceneTable make_shell() {
   using T = ShellScene;
   return {"shell",
           "The shell element.",
@@ -213,7 +213,7 @@ Table make_shell() {
           }};
 }
 
-Table make_load() {
+SceneTable make_load() {
   using T = LoadScene;
   return {
       "load",
@@ -239,7 +239,7 @@ Table make_load() {
       }};
 }
 
-Table make_ends() {
+SceneTable make_ends() {
   using T = EndsScene;
   return {"ends",
           "Ends of the tube (z = +L/2 and -L/2; of a half extent only z = +L/2).",
@@ -252,7 +252,7 @@ Table make_ends() {
           }};
 }
 
-Table make_edge() {
+SceneTable make_edge() {
   using T = EdgeScene;
   return {"edge",
           "Ends of the strip: `[edge.start]` and `[edge.end]`.",
@@ -273,7 +273,7 @@ Table make_edge() {
           }};
 }
 
-Table make_tool() {
+SceneTable make_tool() {
   using T = ToolScene;
   const std::vector<std::string> round = {"cylinder", "torus"};
   return {
@@ -343,7 +343,7 @@ Table make_tool() {
       }};
 }
 
-Table make_contact() {
+SceneTable make_contact() {
   using T = ContactScene;
   return {
       "contact",
@@ -364,7 +364,7 @@ Table make_contact() {
       }};
 }
 
-Table make_increment() {
+SceneTable make_increment() {
   using T = IncrementScene;
   return {
       "increment",
@@ -404,7 +404,7 @@ Table make_increment() {
       }};
 }
 
-Table make_limits() {
+SceneTable make_limits() {
   using T = LimitsScene;
   return {
       "limits",
@@ -427,7 +427,7 @@ Table make_limits() {
       }};
 }
 
-Table make_quantity() {
+SceneTable make_quantity() {
   using T = QuantityScene;
   const std::vector<std::string> placed = {"thickness", "radius", "corner_radius", "contact_pressure"};
   return {"quantity",
@@ -473,7 +473,7 @@ Table make_quantity() {
           }};
 }
 
-Table make_stop() {
+SceneTable make_stop() {
   using T = StopScene;
   return {"stop",
           "Ends the run, as completed, when a quantity passes a value.",
@@ -485,7 +485,7 @@ Table make_stop() {
           }};
 }
 
-Table make_frames() {
+SceneTable make_frames() {
   using T = FramesScene;
   return {
       "frames",
@@ -530,7 +530,7 @@ Table make_frames() {
       }};
 }
 
-Table make_states() {
+SceneTable make_states() {
   return {"states",
           "States kept for ParaView and for drawing again.",
           {},
@@ -543,53 +543,54 @@ Table make_states() {
 
 }  // namespace
 
-Key& Key::in(double low, double high) {
+SceneKey& SceneKey::in(double low, double high) {
   range = {low, high};
   return *this;
 }
 
-Key& Key::one_of(std::vector<std::string> names) {
+SceneKey& SceneKey::one_of(std::vector<std::string> names) {
   choices = std::move(names);
   return *this;
 }
 
-Key& Key::when(std::string selector, std::vector<std::string> values) {
+SceneKey& SceneKey::when(std::string selector, std::vector<std::string> values) {
   condition = {std::move(selector), std::move(values)};
   return *this;
 }
 
-Key& Key::required() {
+SceneKey& SceneKey::required() {
   is_required = true;
   return *this;
 }
 
-std::string Table::header() const {
+std::string SceneTable::header() const {
   if (name.empty()) return "top of the file";
   if (!is_named()) return "[" + name + "]";
   return "[" + name + (of.front() == "*" ? ".NAME]" : "." + of.front() + "]");
 }
 
-const Key* Table::find(const std::string& wanted) const {
-  const auto found = std::find_if(keys.begin(), keys.end(), [&](const Key& k) { return k.name == wanted; });
+const SceneKey* SceneTable::find(const std::string& wanted) const {
+  const auto found =
+      std::find_if(keys.begin(), keys.end(), [&](const SceneKey& k) { return k.name == wanted; });
   return found == keys.end() ? nullptr : &*found;
 }
 
-std::vector<std::string> Table::key_names() const {
+std::vector<std::string> SceneTable::key_names() const {
   std::vector<std::string> names;
-  for (const Key& k : keys) names.push_back(k.name);
+  for (const SceneKey& k : keys) names.push_back(k.name);
   return names;
 }
 
-const std::vector<Table>& scene_tables() {
-  static const std::vector<Table> tables = {
+const std::vector<SceneTable>& scene_tables() {
+  static const std::vector<SceneTable> tables = {
       make_top(),    make_tube(),     make_strip(), make_mesh(),   make_material(), make_shell(),
       make_load(),   make_ends(),     make_edge(),  make_tool(),   make_contact(),  make_increment(),
       make_limits(), make_quantity(), make_stop(),  make_frames(), make_states()};
   return tables;
 }
 
-const Table* find_scene_table(const std::string& name) {
-  for (const Table& table : scene_tables()) {
+const SceneTable* find_scene_table(const std::string& name) {
+  for (const SceneTable& table : scene_tables()) {
     if (table.name == name) return &table;
   }
   return nullptr;

@@ -2,11 +2,11 @@
 #include "solver/scene/scene_values.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <limits>
 
 #include "solver/scene/key_suggestion.h"
+#include "solver/scene/number_text.h"
 
 namespace hydroscope {
 namespace {
@@ -22,7 +22,7 @@ std::string join(const std::vector<std::string>& items, const std::string& betwe
   return joined;
 }
 
-std::string check_range(double number, const Range& range) {
+std::string check_range(double number, const KeyRange& range) {
   if (!std::isfinite(number)) return format_number(number) + " is not a finite number";
   if (number >= range.low && number <= range.high) return {};
   return format_number(number) + " is out of range; allowed: " + describe_range(range);
@@ -51,8 +51,8 @@ const double* as_number(const SourceValue& value, double& storage) {
 /// Fills one slot; each overload returns what is wrong, or nothing.
 struct Assign {
   const SourceValue& value;
-  const Key& key;
-  const Slot& slot;
+  const SceneKey& key;
+  const SceneSlot& slot;
 
   std::string wrong_type() const {
     return format_value(value) + " has the wrong type; expected " + describe_type(key, slot);
@@ -106,7 +106,7 @@ struct Assign {
       std::array<double, N> row{};
       for (size_t i = 0; i < N; ++i) {
         if (as_number((*columns)[i], row[i]) == nullptr) return wrong_type();
-        const std::string fault = check_range(row[i], i == 0 ? Range{} : key.range);
+        const std::string fault = check_range(row[i], i == 0 ? KeyRange{} : key.range);
         if (!fault.empty()) return "row " + format_value(item) + ": " + fault;
       }
       if (!rows.empty() && row[0] <= rows.back()[0]) {
@@ -186,7 +186,7 @@ struct Assign {
 };
 
 struct TypeName {
-  const Key& key;
+  const SceneKey& key;
   std::string unit() const { return key.unit.empty() ? "" : " [" + key.unit + "]"; }
   std::string column() const { return key.unit.empty() ? "value" : key.unit; }
 
@@ -236,29 +236,22 @@ struct Format {
 
 }  // namespace
 
-std::string assign_value(const SourceValue& value, const Key& key, const Slot& slot) {
+std::string assign_value(const SourceValue& value, const SceneKey& key, const SceneSlot& slot) {
   return std::visit(Assign{value, key, slot}, slot);
 }
 
-std::string describe_type(const Key& key, const Slot& slot) { return std::visit(TypeName{key}, slot); }
+std::string describe_type(const SceneKey& key, const SceneSlot& slot) {
+  return std::visit(TypeName{key}, slot);
+}
 
-std::string format_slot(const Slot& slot) { return std::visit(Format{}, slot); }
+std::string format_slot(const SceneSlot& slot) { return std::visit(Format{}, slot); }
 
-std::string describe_range(const Range& range) {
+std::string describe_range(const KeyRange& range) {
   const bool low = std::isfinite(range.low), high = std::isfinite(range.high);
   if (low && high) return format_number(range.low) + " to " + format_number(range.high);
   if (low) return "at least " + format_number(range.low);
   if (high) return "at most " + format_number(range.high);
   return {};
-}
-
-std::string format_number(double number) {
-  std::array<char, 40> text{};
-  const double size = std::abs(number);
-  const bool plain = size == 0.0 || (size >= 1e-4 && size < 1e15);
-  const auto format = plain ? std::chars_format::fixed : std::chars_format::scientific;
-  const auto end = std::to_chars(text.data(), text.data() + text.size(), number, format).ptr;
-  return std::string(text.data(), end);
 }
 
 std::string format_value(const SourceValue& value) {

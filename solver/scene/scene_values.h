@@ -10,19 +10,16 @@ namespace hydroscope {
 
 /// Puts `value` into `slot` after checking it against type, choices and range
 /// of `key`. Returns an empty string, or what is wrong ("-1 is out of range; allowed: 0 to 10").
-std::string assign_value(const SourceValue& value, const Key& key, const Slot& slot);
+std::string assign_value(const SourceValue& value, const SceneKey& key, const SceneSlot& slot);
 
 /// The type as the documentation and the messages name it: "a number [mm]".
-std::string describe_type(const Key& key, const Slot& slot);
+std::string describe_type(const SceneKey& key, const SceneSlot& slot);
 
 /// The value in a slot as one would write it in a scene; empty when there is none.
-std::string format_slot(const Slot& slot);
+std::string format_slot(const SceneSlot& slot);
 
 /// "0 to 10", "at least 0"; empty when every number is allowed.
-std::string describe_range(const Range& range);
-
-/// The shortest decimal that reads back as `number`.
-std::string format_number(double number);
+std::string describe_range(const KeyRange& range);
 
 /// As written in TOML, cut when long.
 std::string format_value(const SourceValue& value);

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "scene_texts.h"
+#include "solver/scene/number_text.h"
 #include "solver/scene/scene_table.h"
 #include "solver/scene/scene_values.h"
 
@@ -60,15 +61,15 @@ TEST(SceneOverride, Malformed) {
 /// Writes each key's default by --set and expects the same scene member back.
 TEST(SceneOverride, EveryDefaultSurvivesTheRoundTrip) {
   int checked = 0;
-  for (const Table& table : scene_tables()) {
-    for (const Key& key : table.keys) {
+  for (const SceneTable& table : scene_tables()) {
+    for (const SceneKey& key : table.keys) {
       Scene before, after;
       const std::string name = table.is_named() ? (table.of.front() == "*" ? "a" : table.of.front()) : "";
       const std::string written = format_slot(key.slot(before, name));
       if (written.empty()) continue;
       const SceneSource source = parse_scene_source("", "a.toml", {{"x.y", written, "--set"}});
-      const Slot slot = key.slot(after, name);
-      Key unlimited = key;
+      const SceneSlot slot = key.slot(after, name);
+      SceneKey unlimited = key;
       unlimited.range = {};
       EXPECT_EQ(assign_value(source.entries.front().value, unlimited, slot), "")
           << key.name << " = " << written;

@@ -21,8 +21,8 @@ TEST(SceneReference, FileEqualsTheTable) {
 }
 
 TEST(SceneReference, KeysCarryTheirUnit) {
-  for (const Table& table : scene_tables()) {
-    for (const Key& key : table.keys) {
+  for (const SceneTable& table : scene_tables()) {
+    for (const SceneKey& key : table.keys) {
       if (key.unit.empty()) continue;
       EXPECT_TRUE(key.name.ends_with("_" + key.unit)) << table.header() << " " << key.name;
     }
@@ -30,8 +30,8 @@ TEST(SceneReference, KeysCarryTheirUnit) {
 }
 
 TEST(SceneReference, EveryKeyIsASentence) {
-  for (const Table& table : scene_tables()) {
-    for (const Key& key : table.keys) {
+  for (const SceneTable& table : scene_tables()) {
+    for (const SceneKey& key : table.keys) {
       EXPECT_TRUE(key.doc.size() > 10 && key.doc.ends_with(".")) << table.header() << " " << key.name;
       EXPECT_EQ(key.doc.find('|'), std::string::npos) << key.name << ": would break the table";
     }
@@ -39,10 +39,10 @@ TEST(SceneReference, EveryKeyIsASentence) {
 }
 
 TEST(SceneReference, ConditionsNameChoicesThatExist) {
-  for (const Table& table : scene_tables()) {
-    for (const Key& key : table.keys) {
+  for (const SceneTable& table : scene_tables()) {
+    for (const SceneKey& key : table.keys) {
       if (key.condition.key.empty()) continue;
-      const Key* selector = table.find(key.condition.key);
+      const SceneKey* selector = table.find(key.condition.key);
       ASSERT_NE(selector, nullptr) << key.name;
       for (const std::string& value : key.condition.values) {
         EXPECT_NE(std::find(selector->choices.begin(), selector->choices.end(), value),
@@ -54,11 +54,11 @@ TEST(SceneReference, ConditionsNameChoicesThatExist) {
 }
 
 TEST(SceneReference, NoTwoKeysShareAMember) {
-  for (const Table& table : scene_tables()) {
+  for (const SceneTable& table : scene_tables()) {
     Scene scene;
     std::vector<const void*> members;
-    for (const Key& key : table.keys) {
-      const Slot slot = key.slot(scene, "a");
+    for (const SceneKey& key : table.keys) {
+      const SceneSlot slot = key.slot(scene, "a");
       const void* member = std::visit([](auto* pointer) -> const void* { return pointer; }, slot);
       EXPECT_EQ(std::find(members.begin(), members.end(), member), members.end()) << key.name;
       members.push_back(member);

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The commands and options of the program, as data.
+#include "app/command_line.h"
+
+namespace hydroscope {
+namespace {
+
+const std::vector<std::string> kViews = {"contact-map",    "tool-normals",     "slip", "thickness",
+                                         "plastic-strain", "contact-pressure", "gap"};
+
+const Option kSet{"--set", "", "KEY=VALUE", "Replace a key of the scene, e.g. --set tool.die.friction=0.1.",
+                  true,    {}};
+
+std::vector<Option> frame_options() {
+  return {
+      {"--views", "", "A,B",
+       "Sequences to draw, of: contact-map, tool-normals, slip, thickness,\n"
+       "                            plastic-strain, contact-pressure, gap.",
+       false, kViews},
+      {"--frames", "", "N", "Number of frames over the process time.", false, {}},
+      {"--size", "", "WxH", "Pixels of a frame, e.g. 1920x1080.", false, {}},
+      {"--camera", "", "HOW", "fixed, orbit, or look-at:NODE.", false, {"fixed", "orbit", "look-at:"}},
+      {"--theme", "", "NAME", "light or dark.", false, {"light", "dark"}},
+      {"--animation",
+       "",
+       "KIND",
+       "Film beside the frames: none, webp or mp4.",
+       false,
+       {"none", "webp", "mp4"}},
+  };
+}
+
+CommandSyntax make_run() {
+  CommandSyntax run;
+  run.name = "run";
+  run.operands = {"SCENE"};
+  run.operand_files = "toml";
+  run.summary = "Solve a scene; write results and frames.";
+  run.options = {
+      {"--output", "-o", "DIR", "Folder for the results (default: results/NAME of the scene).", false, {}},
+      {"--force", "", "", "Replace the results of an earlier run in DIR.", false, {}},
+      kSet,
+      {"--threads", "", "N", "Threads of the solver; the result does not depend on it.", false, {}},
+      {"--no-frames", "", "", "Draw nothing while solving (hydroscope render can do it later).", false, {}},
+  };
+  for (const Option& option : frame_options()) run.options.push_back(option);
+  run.details =
+      "DIR is made only after the scene and all its files have been accepted. It gets history.csv (a row an\n"
+      "increment), events.csv (contact events), states.pvd (for ParaView), frames/VIEW/00001.png ..., and at "
+      "the\n"
+      "very end summary.json: without it the run has not finished, but what is there is whole.\n"
+      "Ctrl-C ends the run after the increment under way and keeps all results; a second Ctrl-C ends it at "
+      "once.\n"
+      "\nexample:\n  hydroscope run scenes/job-b.toml -o results/mu01 --set tool.die.friction=0.1 --views "
+      "thickness\n"
+      "\nAll scene keys: hydroscope reference, or docs/scene_reference.md.\n";
+  return run;
+}
+
+CommandSyntax make_render() {
+  CommandSyntax render;
+  render.name = "render";
+  render.operands = {"DIR"};
+  render.operand_files = "/";
+  render.summary = "Draw the saved states of a run again, without solving.";
+  render.options = frame_options();
+  render.options.push_back(kSet);
+  render.details =
+      "Frames go to DIR/frames/VIEW and replace those of the same view. Settings that are not given are "
+      "those\n"
+      "of the run. There are as many frames as saved states ([states] number in the scene).\n"
+      "\nexample:\n  hydroscope render results/mu01 --views plastic-strain,gap --size 1920x1080 --theme "
+      "dark\n";
+  return render;
+}
+
+CommandSyntax make_tool() {
+  CommandSyntax tool;
+  tool.name = "tool";
+  tool.operands = {"FILE"};
+  tool.summary = "Check a tool mesh (STL, OBJ, PLY) and draw a picture of it.";
+  tool.options = {
+      {"--unit-scale", "", "S", "Length of the file's unit in mm (1000 for metres; default 1).", false, {}},
+      {"--output", "-o", "PNG", "Picture (default: none).", false, {}},
+      {"--crease-angle", "", "DEG", "Edges sharper than this are counted (default 40).", false, {}},
+      {"--size", "", "WxH", "Pixels of the picture.", false, {}},
+      {"--theme", "", "NAME", "light or dark.", false, {"light", "dark"}},
+  };
+  tool.details = "example:\n  hydroscope tool die.stl -o die.png\n";
+  return tool;
+}
+
+}  // namespace
+
+const std::vector<CommandSyntax>& command_syntaxes() {
+  static const std::vector<CommandSyntax> commands = {
+      make_run(),
+      make_render(),
+      make_tool(),
+      {"reference", {}, "", "Print the documentation of all scene keys (Markdown).", "", {}, {}},
+      {"completion",
+       {"SHELL"},
+       "",
+       "Print a completion script for bash or zsh.",
+       "examples:\n  eval \"$(hydroscope completion bash)\"\n  hydroscope completion zsh > "
+       "~/.zfunc/_hydroscope\n",
+       {},
+       {"bash", "zsh"}},
+  };
+  return commands;
+}
+
+}  // namespace hydroscope

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/frame_options.h"
+
+#include <sstream>
+
+#include "solver/base/error.h"
+
+namespace hydroscope {
+namespace {
+
+std::string quote(const std::string& text) { return "\"" + text + "\""; }
+
+std::string make_list(const std::string& comma_separated) {
+  std::istringstream stream(comma_separated);
+  std::string list;
+  for (std::string item; std::getline(stream, item, ',');) list += (list.empty() ? "" : ", ") + quote(item);
+  return "[" + list + "]";
+}
+
+std::string make_size(const std::string& text) {
+  const size_t cross = text.find('x');
+  if (cross == std::string::npos)
+    throw InputError("--size " + text + ": write it as WIDTHxHEIGHT, e.g. --size 1280x720");
+  const int width = parse_whole_number("--size", text.substr(0, cross), 64, 8192);
+  const int height = parse_whole_number("--size", text.substr(cross + 1), 64, 8192);
+  return "[" + std::to_string(width) + ", " + std::to_string(height) + "]";
+}
+
+}  // namespace
+
+std::vector<SceneOverride> make_overrides(const Arguments& arguments) {
+  std::vector<SceneOverride> overrides;
+  const auto add = [&](const std::string& option, const std::string& key, const std::string& value) {
+    overrides.push_back({"frames." + key, value, option + " " + arguments.get(option)});
+  };
+  if (arguments.has("--views")) add("--views", "views", make_list(arguments.get("--views")));
+  if (arguments.has("--frames")) {
+    add("--frames", "pick", quote("number"));
+    add("--frames", "number", arguments.get("--frames"));
+  }
+  if (arguments.has("--size")) add("--size", "size_px", make_size(arguments.get("--size")));
+  if (arguments.has("--theme")) add("--theme", "theme", quote(arguments.get("--theme")));
+  if (arguments.has("--animation")) add("--animation", "animation", quote(arguments.get("--animation")));
+  if (arguments.has("--camera")) {
+    const std::string camera = arguments.get("--camera");
+    const size_t colon = camera.find(':');
+    add("--camera", "camera", quote(camera.substr(0, colon)));
+    if (colon != std::string::npos) add("--camera", "look_at_node", camera.substr(colon + 1));
+  }
+  for (const std::string& assignment : arguments.get_all("--set"))
+    overrides.push_back(make_override(assignment));
+  return overrides;
+}
+
+}  // namespace hydroscope

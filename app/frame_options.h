@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "app/command_line.h"
+#include "solver/scene/scene_source.h"
+
+namespace hydroscope {
+
+/// --views, --frames, --size, --camera, --theme, --animation and --set as overrides of
+/// scene keys, in the order that lets --set have the last word. Their values are
+/// checked with all others when the scene is read, and kept with the results.
+std::vector<SceneOverride> make_overrides(const Arguments& arguments);
+
+}  // namespace hydroscope
