@@ -103,11 +103,12 @@ FootPoint find_tip_foot(const Vec3& corner, const Vec3& normal, const Vec3& x, d
   return make_radial_foot(corner, offset, offset.dot(normal) < 0.0 ? -1.0 : 1.0, Mat3::Zero(), floor);
 }
 
-FootPoint find_rim_foot(const ToolEdge& edge, const Vec3& x) {
+RimFoot find_rim_foot(const ToolEdge& edge, const Vec3& x) {
   const Vec3 along = edge.end - edge.start;
   const Vec3 turn = edge.end_left - edge.start_left;
   double s = std::clamp((x - edge.start).dot(along) / along.squaredNorm(), 0.0, 1.0);
   Vec3 ds_dx = Vec3::Zero();
+  int end = 0;
   // The foot lies where the rest x - X(s) has no part along the edge in the surface: there the
   // rim continues the outer face of its prism without a step.
   for (int i = 0; i < 12; ++i) {
@@ -121,12 +122,12 @@ FootPoint find_rim_foot(const ToolEdge& edge, const Vec3& x) {
     const double step = -offset.dot(c) / slope;
     ds_dx = -c / slope;
     const double next = std::clamp(s + step, 0.0, 1.0);
-    const bool is_clamped = next != s + step;
+    end = s + step > 1.0 ? 1 : s + step < 0.0 ? -1 : 0;
     const bool is_done = std::abs(next - s) < 1e-14;
     s = next;
-    if (is_clamped) ds_dx.setZero();
     if (is_done) break;
   }
+  if (end != 0) ds_dx.setZero();
   const Vec3 m = edge.start_left + s * turn;
   FootPoint foot;
   foot.point = edge.start + s * along;
@@ -137,7 +138,7 @@ FootPoint find_rim_foot(const ToolEdge& edge, const Vec3& x) {
   const Vec3 n_rate = (turn - foot.normal * foot.normal.dot(turn)) / m.norm();  // dn/ds
   foot.normal_gradient = n_rate * ds_dx.transpose();
   foot.gap_gradient = foot.normal + (n_rate.dot(offset) - foot.normal.dot(along)) * ds_dx;
-  return foot;
+  return {foot, end};
 }
 
 }  // namespace hydroscope

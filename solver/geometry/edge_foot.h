@@ -20,8 +20,12 @@ struct ToolEdge {
 /// 1 / |gap|, but no more than 1 / floor. Nothing when `x` is outside of the wedge.
 std::optional<FootPoint> find_crease_foot(const ToolEdge& edge, const Vec3& x, double floor);
 
-/// Foot point on an open rim (or one of its ends) for `x` beyond it.
-FootPoint find_rim_foot(const ToolEdge& edge, const Vec3& x);
+/// Foot point on an open rim for `x` beyond it.
+struct RimFoot {
+  FootPoint foot;
+  int end = 0;  ///< -1, +1: `x` lies beyond the start or the end of the edge, and the foot there
+};
+RimFoot find_rim_foot(const ToolEdge& edge, const Vec3& x);
 
 /// Foot point in the tip `corner` where creases meet; `normal`: which side is free. `floor` as above.
 FootPoint find_tip_foot(const Vec3& corner, const Vec3& normal, const Vec3& x, double floor);

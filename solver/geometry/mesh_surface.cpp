@@ -144,7 +144,9 @@ FootPoint MeshSurface::locate(const Vec3& x, int nearest, double distance) const
     // Cross the edge that is missed most; a rim only counts when nothing else is left.
     int crossed = -1;
     for (int k = 0; k < 3; ++k) {
-      if (place.l(k) >= -kEps || next_[at(facet)][at(k)] < 0) continue;
+      const int next = next_[at(facet)][at(k)];
+      if (place.l(k) >= -kEps || next < 0) continue;
+      if (next == previous && links_[at(facet)][at(k)] == Link::smooth) continue;
       if (crossed < 0 || place.l(k) < place.l(crossed)) crossed = k;
     }
     if (crossed < 0) {
@@ -185,82 +187,6 @@ FootPoint MeshSurface::finish_in_prism(const Vec3& x, int facet, const PrismPoin
   }
   FootPoint foot = make_foot_point(prisms_[at(owner)], owner_place, x);
   foot.facet = owner;
-  return foot;
-}
-
-std::optional<FootPoint> MeshSurface::find_rim(const Vec3& x, int facet, const PrismPoint& place) const {
-  std::optional<FootPoint> best;
-  for (int k = 0; k < 3; ++k) {
-    if (place.l(k) >= -kEps) continue;
-    if (links_[at(facet)][at(k)] == Link::seam) return std::nullopt;
-    FootPoint foot = find_rim_foot(make_edge(facet, k), x);
-    foot.facet = facet;
-    if (!best || (x - foot.point).norm() < (x - best->point).norm()) best = foot;
-  }
-  return best;
-}
-
-std::optional<FootPoint> MeshSurface::find_any_prism(const Vec3& x, double radius) const {
-  int facet = -1;
-  PrismPoint best;
-  tree_.visit_within(x, radius, [&](int f) {
-    const PrismPoint place = locate_in_prism(prisms_[at(f)], x);
-    if (!place.is_valid || place.smallest() < -kEps || std::abs(place.g) > radius) return;
-    const double nearer = std::abs(place.g) - std::abs(best.g);
-    if (facet >= 0 && (nearer > 0.0 || (nearer == 0.0 && f > facet))) return;
-    facet = f;
-    best = place;
-  });
-  if (facet < 0) return std::nullopt;
-  return finish_in_prism(x, facet, best);
-}
-
-std::optional<FootPoint> MeshSurface::find_any_crease(const Vec3& x, double radius) const {
-  std::optional<FootPoint> best;
-  tree_.visit_within(x, radius, [&](int f) {
-    for (int k = 0; k < 3; ++k) {
-      if (links_[at(f)][at(k)] != Link::crease || next_[at(f)][at(k)] < f) continue;
-      auto foot = find_crease_foot(make_edge(f, k), x, floor_);
-      if (!foot || std::abs(foot->gap) > radius) continue;
-      foot->facet = f;
-      if (best) {
-        const double nearer = std::abs(foot->gap) - std::abs(best->gap);
-        if (nearer > 0.0 || (nearer == 0.0 && f > best->facet)) continue;
-      }
-      best = foot;
-    }
-  });
-  return best;
-}
-
-FootPoint MeshSurface::find_any_end(const Vec3& x, int nearest, double distance, double radius) const {
-  std::optional<FootPoint> best;
-  double best_distance = 1.2 * distance + kEps * size_;
-  const auto keep = [&](FootPoint foot, int facet) {
-    foot.facet = facet;
-    const double d = (x - foot.point).norm();
-    if (d > best_distance || (best && d == best_distance && facet >= best->facet)) return;
-    best = foot;
-    best_distance = d;
-  };
-  tree_.visit_within(x, radius, [&](int f) {
-    const Prism& prism = prisms_[at(f)];
-    for (int k = 0; k < 3; ++k) {
-      if (next_[at(f)][at(k)] < 0) keep(find_rim_foot(make_edge(f, k), x), f);
-      if (is_tip_[at(points_[at(f)][at(k)])] == 0) continue;
-      keep(find_tip_foot(prism.corner(k), prism.corner_normal(k), x, floor_), f);
-    }
-  });
-  if (best) return *best;
-  // Node normals too crooked for their facets: the closest point still answers.
-  const Prism& prism = prisms_[at(nearest)];
-  const ClosestPoint closest = find_closest_point(x, prism.corner(0), prism.corner(1), prism.corner(2));
-  FootPoint foot;
-  foot.point = closest.point;
-  foot.normal = foot.gap_gradient =
-      (prism.v3 + closest.weights[0] * prism.d1 + closest.weights[1] * prism.d2).normalized();
-  foot.gap = foot.normal.dot(x - closest.point);
-  foot.facet = nearest;
   return foot;
 }
 

@@ -51,6 +51,9 @@ class MeshSurface final : public ToolSurface {
   FootPoint locate_facet_normal(const Vec3& x, int nearest) const;
   FootPoint finish_in_prism(const Vec3& x, int facet, const PrismPoint& at) const;
   std::optional<FootPoint> find_rim(const Vec3& x, int facet, const PrismPoint& at) const;
+  FootPoint follow_rim(const Vec3& x, int facet, int k) const;
+  /// The rim edge (facet, edge) that follows (direction +1) or precedes (-1) another at their common point.
+  std::array<int, 2> step_along_rim(int facet, int k, int direction) const;
   std::optional<FootPoint> find_any_prism(const Vec3& x, double radius) const;
   std::optional<FootPoint> find_any_crease(const Vec3& x, double radius) const;
   FootPoint find_any_end(const Vec3& x, int nearest, double distance, double radius) const;
