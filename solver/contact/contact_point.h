@@ -38,6 +38,7 @@ struct ContactPoint {
   Vec3 slip = Vec3::Zero();       ///< accumulated sliding [mm]
   Vec3 slip_increment = Vec3::Zero();
   bool is_releasing = false;      ///< let go in this increment, not yet seen to open
+  int held_row = -1;              ///< place of its constraint among the node's held ones; -1: redundant
   int locked = 0;                 ///< increments for which it may not be released again
   int toggles = 0;                ///< touches and releases so far
   int last_toggle = -1000;        ///< increment of the last one

@@ -27,6 +27,7 @@ struct State {
   std::vector<Vec3> reaction;                         ///< of the supports, a node [N]
   double time = 0.0, pressure = 0.0, volume = 0.0;    ///< [s], [MPa], [mm^3]
   int increment = 0;
+  bool is_at_corner = true;                           ///< a path turned at `time`
   double next_dt = 0.0;                               ///< increment to try next [s]
   double peak_pressure = 0.0;
   std::vector<char> has_warned;                       ///< kinds of warnings already given

@@ -64,6 +64,14 @@ Return find_return(const SheetLaw& law, const Vec3& elastic_strain, double ep, d
   throw ContractError("plane-stress return mapping did not converge");
 }
 
+/// C_ep = C - (C P s)(C P s)^T / (s^T P C P s + 4/9 H sbar^2) (mechanics 2.1).
+Mat3 calc_flow_tangent(const SheetLaw& law, const MaterialPoint& point) {
+  const auto flow = law.material.hardening(point.plastic_strain);
+  const Vec3 ps = law.yield_matrix * point.stress, direction = law.elasticity * ps;
+  const double denominator = ps.dot(direction) + 4.0 / 9.0 * flow.slope * flow.stress * flow.stress;
+  return law.elasticity - direction * direction.transpose() / denominator;
+}
+
 }  // namespace
 
 Mat3 SheetMaterial::calc_elasticity() const {
@@ -91,7 +99,7 @@ SheetLaw::SheetLaw(const SheetMaterial& m)
 double calc_equivalent_stress(const Mat3& p, const Vec3& s) { return std::sqrt(1.5 * s.dot(p * s)); }
 
 StressUpdate update_stress(const SheetLaw& law, const MaterialPoint& start, const Vec3& strain_increment,
-                           double sigma33_increment) {
+                           double sigma33_increment, bool assume_flow) {
   const SheetMaterial& m = law.material;
   const double hydrostatic = (1.0 - 2.0 * m.poisson) / m.youngs_modulus * sigma33_increment;
   const Vec3 strain = strain_increment - Vec3(hydrostatic, hydrostatic, 0.0);
@@ -102,7 +110,11 @@ StressUpdate update_stress(const SheetLaw& law, const MaterialPoint& start, cons
   if (!m.hardening.is_plastic()) return out;
   const double flow_stress = m.hardening(start.plastic_strain).stress;
   const double trial_stress = calc_equivalent_stress(law.yield_matrix, trial);
-  if (trial_stress <= flow_stress) return out;
+  if (trial_stress <= flow_stress) {
+    constexpr double kOnSurface = 1.0 - 1e-8;
+    if (assume_flow && trial_stress > kOnSurface * flow_stress) out.tangent = calc_flow_tangent(law, out.point);
+    return out;
+  }
 
   const Return r = find_return(law, law.compliance * trial, start.plastic_strain, trial_stress);
   const Vec3 ps = law.yield_matrix * r.stress;

@@ -30,7 +30,7 @@ struct MaterialPoint {
 
 /// Constants of a material, computed once a run.
 struct SheetLaw {
-  explicit SheetLaw(const SheetMaterial& material);
+  explicit SheetLaw(const SheetMaterial& m = {});
   SheetMaterial material;
   Mat3 elasticity, compliance, yield_matrix;
 };
@@ -46,10 +46,12 @@ struct StressUpdate {
 /// plane-stress subspace (mechanics 2.5). The yield function is evaluated with
 /// stresses shifted by sigma33; the elastic strain of a change of sigma33
 /// [MPa] is taken off first: (1 - 2 nu)/E d sigma33 on both normal strains.
+/// With `assume_flow` a point that stands on its yield surface is given the
+/// continuum elastoplastic tangent even before it moves: what a predictor needs.
 /// Throws ContractError when the local iteration fails (never seen for
 /// hardening with a slope >= 0).
 StressUpdate update_stress(const SheetLaw& law, const MaterialPoint& start, const Vec3& strain_increment,
-                           double sigma33_increment = 0.0);
+                           double sigma33_increment = 0.0, bool assume_flow = false);
 
 /// Equivalent stress sqrt(3/2 s^T P s) [MPa].
 double calc_equivalent_stress(const Mat3& yield_matrix, const Vec3& stress);

@@ -30,7 +30,7 @@ double calc_equivalent_strain(const Vec3& e) {
 
 Section integrate_section(const ShellLaw& law, const MetricPolynomial& start, const MetricPolynomial& end,
                           std::span<const LayerState> layers, std::span<LayerState> out, double sigma33_start,
-                          double sigma33_end, double volume) {
+                          double sigma33_end, bool assume_flow, double volume) {
   const auto n = static_cast<std::size_t>(law.rule.size());
   double total = 0.0;
   for (std::size_t k = 0; k < n; ++k) total += law.rule.weight[k] * std::sqrt(start(law.rule.zeta[k]).det());
@@ -41,7 +41,7 @@ Section integrate_section(const ShellLaw& law, const MetricPolynomial& start, co
     const double z = law.rule.zeta[k];
     const Metric from = start(z);
     const LayerResponse r =
-        advance_layer(law.sheet, layers[k], from, end(z), sigma33_end, sigma33_end - sigma33_start);
+        advance_layer(law.sheet, layers[k], from, end(z), sigma33_end, sigma33_end - sigma33_start, assume_flow);
     out[k] = r.state;
     const double share = law.rule.weight[k] * std::sqrt(from.det()) / total;
     const double w = volume * share;
@@ -166,7 +166,7 @@ const std::array<ShapeFunctions, kGaussPoints>& gauss_shapes() {
 }  // namespace
 
 ElementResponse evaluate_element(const ShellLaw& law, const ElementNodes& start, const ElementNodes& end,
-                                 const ElementPart& state, const ThroughWallStress& sigma33,
+                                 const ElementPart& state, const ElementSettings& settings,
                                  const ElementPartOut& out, ElementMatrix* stiffness) {
   ElementResponse response;
   std::array<Vec3, 4> force, fibre_force;  // conjugate to u and to h/2 V
@@ -186,10 +186,11 @@ ElementResponse evaluate_element(const ShellLaw& law, const ElementNodes& start,
     const MetricPolynomial metric_start(calc_bases(start, s)), metric_end(bases);
     GaussState& gauss = out.gauss[i] = state.gauss[i];
     const double volume = gauss.volume * gauss.dilatation;
-    const double s33 = interpolate(sigma33.end, s);
+    const double s33 = interpolate(settings.sigma33.end, s);
     const Section section =
         integrate_section(law, metric_start, metric_end, state.layers.subspan(i * n_z, n_z),
-                          out.layers.subspan(i * n_z, n_z), interpolate(sigma33.start, s), s33, volume);
+                          out.layers.subspan(i * n_z, n_z), interpolate(settings.sigma33.start, s), s33,
+                          settings.assume_flow, volume);
     advance_shear(law, metric_start.c0, 0.5 * interpolate(start.thickness, s), gauss_point(static_cast<int>(i)),
                   volume, shear_start, shear_end, gauss, shear);
     const SheetMaterial& m = law.sheet.material;

@@ -67,6 +67,12 @@ struct ThroughWallStress {
   std::array<double, 4> start{}, end{};
 };
 
+/// How an element is to be evaluated.
+struct ElementSettings {
+  ThroughWallStress sigma33;
+  bool assume_flow = false;  ///< tangent of a predictor: points on their yield surface flow on
+};
+
 /// MITC4 (Dvorkin & Bathe 1984), five degrees of freedom a node, updated
 /// Lagrangian. Each layer zeta is a surface with metric
 ///   a_ij(zeta) = g_i . g_j,  g_i = x_,i + zeta (h/2 V)_,i ,
@@ -77,7 +83,7 @@ struct ThroughWallStress {
 /// If `stiffness` is not null it is set to d force / d (u, alpha, beta) of `end`:
 /// material, initial stress and director terms (mechanics 1.4), thickness frozen.
 ElementResponse evaluate_element(const ShellLaw& law, const ElementNodes& start, const ElementNodes& end,
-                                 const ElementPart& state, const ThroughWallStress& sigma33,
+                                 const ElementPart& state, const ElementSettings& settings,
                                  const ElementPartOut& out, ElementMatrix* stiffness);
 
 /// Stress-free state of an element: reference volumes, and layer frames whose

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solver/increment/accept.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "solver/increment/contact_step.h"
+#include "solver/increment/equations.h"
+#include "solver/increment/measures.h"
+
+namespace hydroscope {
+
+namespace {
+
+constexpr int kChatterWindow = 5;  // increments within which a second toggle counts as chatter
+
+ContactEvent make_event(EventKind kind, const State& state, std::size_t tool, std::size_t node,
+                        const ContactPoint& before, const ContactPoint& now, const char* cause) {
+  ContactEvent event;
+  event.kind = kind;
+  event.increment = state.increment;
+  event.time = state.time;
+  event.node = static_cast<int>(node);
+  event.position = now.foot.point;
+  event.tool = static_cast<int>(tool);
+  event.cause = cause;
+  event.force_before = before.normal_force;
+  event.force_after = now.normal_force;
+  event.gap = now.foot.gap;
+  return event;
+}
+
+/// Change of status of one node against one tool between two accepted states.
+void record_change(const Model& model, const State& state, std::size_t t, std::size_t i, const ContactPoint& before,
+                   ContactPoint& now, IncrementReport& report) {
+  const auto add = [&](EventKind kind, const char* cause) {
+    report.events.push_back(make_event(kind, state, t, i, before, now, cause));
+  };
+  if (!before.is_active() && now.is_active()) {
+    add(now.toggles > 0 ? EventKind::kRetouch : EventKind::kTouch, "gap closed");
+    const bool is_chatter = now.toggles > 1 && state.increment - now.last_toggle <= kChatterWindow;
+    if (is_chatter) now.locked = kChatterWindow;
+    ++now.toggles;
+    now.last_toggle = state.increment;
+  } else if (before.is_active() && !now.is_active()) {
+    const bool is_gone = !model.tools[t].is_present(state.time);
+    add(EventKind::kDetach, is_gone ? "tool taken away" : (now.has_foot && now.foot.beyond_edge <= 0.0 ? "tension" : "edge"));
+    ++report.n_detached;
+    ++now.toggles;
+    now.last_toggle = state.increment;
+    now.peak_force = 0.0;
+  } else if (before.status != now.status) {
+    if (now.status == ContactStatus::kSlip) add(EventKind::kSlip, "friction limit");
+    if (now.status == ContactStatus::kStick) add(EventKind::kStick, "sliding stopped");
+  }
+}
+
+void update_contact_history(const Model& model, State& state, const std::vector<std::vector<ContactPoint>>& old,
+                            IncrementReport& report) {
+  for (std::size_t t = 0; t < state.contacts.size(); ++t) {
+    for (std::size_t i = 0; i < state.contacts[t].size(); ++i) {
+      const ContactPoint& before = old[t][i];
+      ContactPoint& now = state.contacts[t][i];
+      now.slip_increment.setZero();
+      if (now.is_active()) {
+        const Vec3 n = now.foot.normal;
+        const Vec3 slide = now.position - now.anchor;
+        if (now.status == ContactStatus::kSlip) now.slip_increment = slide - n.dot(slide) * n;
+        now.slip += now.slip_increment;
+        now.peak_force = std::max(now.peak_force, now.normal_force);
+        ++(now.status == ContactStatus::kStick ? report.n_stick : report.n_slip);
+      }
+      record_change(model, state, t, i, before, now, report);
+      if (now.locked > 0) --now.locked;
+      if (now.is_releasing && (!now.has_foot || now.foot.gap > 2.0 * model.touch_tolerance())) now.is_releasing = false;
+    }
+  }
+  report.n_contact = report.n_stick + report.n_slip;
+}
+
+/// Contact pressure on the outer face, smoothed over contact neighbours, for sigma33.
+void update_outer_pressure(const Model& model, State& state) {
+  std::fill(state.outer_pressure.begin(), state.outer_pressure.end(), 0.0);
+  for (std::size_t t = 0; t < state.contacts.size(); ++t) {
+    if (model.tools[t].side < 0.0) continue;
+    for (std::size_t i = 0; i < state.outer_pressure.size(); ++i) {
+      if (!state.contacts[t][i].is_active()) continue;
+      state.outer_pressure[i] +=
+          std::max(0.0, calc_smoothed_pressure(model, state.contacts[t], state.area, static_cast<int>(i)));
+    }
+  }
+}
+
+}  // namespace
+
+void accept(const Model& model, const Attempt& attempt, State& state, Scratch& scratch, IncrementReport& report) {
+  const PhaseTimer timer(scratch.times.update);
+  Trial& trial = scratch.trial;
+  state.reaction = calc_reactions(model, attempt.loads, scratch);
+  const auto old_contacts = std::move(state.contacts);
+  state.configuration = trial.configuration;
+  state.layers = trial.layers;
+  state.gauss = trial.gauss;
+  state.contacts = trial.contacts;
+  state.sigma33 = trial.sigma33;
+  state.area = trial.area;
+  state.time = attempt.loads.time;
+  state.pressure = attempt.loads.pressure;
+  state.volume = attempt.volume;
+  state.peak_pressure = std::max(state.peak_pressure, state.pressure);
+  ++state.increment;
+
+  report.increment = state.increment;
+  report.time = state.time;
+  report.pressure = state.pressure;
+  report.feed = model.feed(state.time);
+  report.limited_by = attempt.limit.limiter;
+  report.limited_at = attempt.limit.at;
+  report.residual = attempt.residual;
+  report.iterations = attempt.iterations;
+  report.negative_pivots = attempt.negative_pivots;
+  update_contact_history(model, state, old_contacts, report);
+  update_outer_pressure(model, state);
+  const auto [low, high] =
+      std::minmax_element(state.configuration.thickness.begin(), state.configuration.thickness.end());
+  report.thickness_min = *low;
+  report.thickness_max = *high;
+  for (const Quantity& quantity : model.quantities) {
+    report.quantities.push_back(evaluate_quantity(model, state, quantity, report.quantities));
+  }
+  judge(model, scratch, state, report);
+}
+
+}  // namespace hydroscope

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solver/increment/advance.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include "solver/increment/accept.h"
+#include "solver/increment/attempt.h"
+
+namespace hydroscope {
+
+namespace {
+
+/// The next time at which any path turns [s].
+double find_corner(const Model& model, const State& state) {
+  const double after = state.time + 1e-12 * model.end_time;
+  double corner = model.end_time;
+  const auto look = [&](const Path& path) { corner = std::min(corner, find_next_corner(path, after)); };
+  look(model.pressure);
+  look(model.volume_ratio);
+  look(model.feed);
+  for (const Path& path : model.motions) look(path);
+  for (const EdgeLoad& edge : model.edge_loads) {
+    look(edge.force_x);
+    look(edge.force_y);
+    look(edge.tension);
+  }
+  for (const Tool& tool : model.tools) {
+    for (const Path& path : tool.motion) look(path);
+    if (state.time < tool.leaves_at) corner = std::min(corner, tool.leaves_at);
+  }
+  return corner;
+}
+
+/// End of the next increment: no farther than a corner of any path.
+Target make_target(const Model& model, const State& state, double dt, double corner) {
+  const double end = std::min(state.time + dt, corner);
+  Target target;
+  target.time = end;
+  target.is_turning = state.is_at_corner;
+  target.use_volume = model.use_volume_control;
+  target.pressure = model.pressure(end);
+  target.volume = model.volume0 * model.volume_ratio(end);
+  return target;
+}
+
+/// Size of the next increment from what this one needed.
+double propose_next(const Model& model, const Trial& trial, double dt, int iterations) {
+  double factor = iterations <= 4 ? 1.5 : (iterations <= 7 ? 1.0 : 0.7);
+  if (trial.strain_increment > 0.0) {
+    factor = std::min(factor, 0.9 * model.increment.max_strain / trial.strain_increment);
+  }
+  return std::min(dt * std::max(factor, 0.2), model.increment.largest * model.end_time);
+}
+
+std::string describe_pressure(double pressure) {
+  char text[64];
+  std::snprintf(text, sizeof text, "%.4g MPa", pressure);
+  return text;
+}
+
+/// At its smallest increment under pressure control: step over by volume and see
+/// whether the pressure falls (mechanics 3.4).
+bool is_pressure_maximum(const Model& model, const State& state, Scratch& scratch) {
+  if (model.use_volume_control || state.pressure == 0.0) return false;
+  Target target;
+  target.time = state.time;
+  target.use_volume = true;
+  target.volume = state.volume * (1.0 + 1e-3);
+  const Attempt attempt = try_increment(model, state, target, scratch);
+  return attempt.end == Attempt::End::kConverged && attempt.loads.pressure < state.pressure;
+}
+
+void end_run(IncrementReport& report, Outcome outcome, const std::string& message) {
+  report.outcome = outcome;
+  report.message = message;
+}
+
+/// Names the end of a run whose increments have shrunk to nothing.
+void report_failure(const Model& model, const State& state, const Attempt& attempt, Scratch& scratch,
+                    IncrementReport& report) {
+  const std::string at = "at " + describe_pressure(state.pressure);
+  if (attempt.end == Attempt::End::kUnstable && attempt.compliance >= 0.0) {
+    return end_run(report, Outcome::kBuckling,
+                   "buckling " + at + ": the stiffness has " + std::to_string(attempt.negative_pivots) +
+                       " negative pivot(s) and the mode does not change the enclosed volume");
+  }
+  if (attempt.end == Attempt::End::kUnstable || is_pressure_maximum(model, state, scratch)) {
+    return end_run(report, Outcome::kPressureMaximum,
+                   "pressure maximum " + at +
+                       ": beyond it the bulge grows under falling pressure; drive the run with "
+                       "load.control = \"volume\" to pass it");
+  }
+  if (attempt.end == Attempt::End::kSingular) {
+    return end_run(report, Outcome::kSingular, "the stiffness is singular " + at);
+  }
+  end_run(report, Outcome::kStepFloor,
+          "no equilibrium found with the smallest increment " + at + " (residual " +
+              std::to_string(attempt.residual) + ")");
+}
+
+}  // namespace
+
+IncrementReport advance(const Model& model, State& state, Scratch& scratch) {
+  IncrementReport report;
+  const int factorisations_before = scratch.factorisations;
+  const double floor = model.increment.smallest * model.end_time;
+  double dt = std::max(state.next_dt, floor);
+  const double corner = find_corner(model, state);
+  while (true) {
+    const Target target = make_target(model, state, dt, corner);
+    const double tried = target.time - state.time;
+    const Attempt attempt = try_increment(model, state, target, scratch);
+    if (attempt.end == Attempt::End::kConverged) {
+      const double strain_fraction = calc_strain_fraction(model, scratch.trial);
+      const double done = attempt.loads.time - state.time;
+      if (strain_fraction < 0.6 && done > 2.0 * floor) {  // r2: too far for the path to be followed
+        dt = 0.9 * strain_fraction * done;
+        continue;
+      }
+      const double next = propose_next(model, scratch.trial, done, attempt.iterations);
+      report.factorisations = scratch.factorisations - factorisations_before;
+      accept(model, attempt, state, scratch, report);
+      state.is_at_corner = state.time >= corner * (1.0 - 1e-12);
+      report.step_fraction = tried > 0.0 ? done / tried : 1.0;
+      // A short step to the corner of a path says nothing about the next one.
+      state.next_dt = (tried < 0.5 * dt && attempt.limit.fraction >= 1.0) ? dt : next;
+      if (strain_fraction < 1.0 || next < 1.4 * done) {
+        if (report.limited_by == Limiter::kTimePath) report.limited_by = Limiter::kStrain;
+      }
+      return report;
+    }
+    dt = 0.35 * std::min(dt, attempt.limit.fraction < 1.0 ? attempt.limit.fraction * tried : tried);
+    const bool is_final = attempt.end == Attempt::End::kUnstable || attempt.end == Attempt::End::kSingular;
+    if (is_final || dt < floor) {
+      report.factorisations = scratch.factorisations - factorisations_before;
+      report_failure(model, state, attempt, scratch, report);
+      return report;
+    }
+  }
+}
+
+}  // namespace hydroscope

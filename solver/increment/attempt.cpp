@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solver/increment/attempt.h"
+
+#include <cmath>
+#include <cstdio> //DBG
+#include <cstdlib> //DBG
+
+#include "solver/increment/contact_step.h"
+#include "solver/increment/equations.h"
+#include "solver/increment/evaluate.h"
+
+namespace hydroscope {
+
+namespace {
+
+constexpr double kReleaseResidual = 0.02;  // reactions are trusted for letting go below this imbalance
+constexpr double kVolumeTolerance = 1e-8;  // of the enclosed volume
+constexpr double kDivergence = 1e4;        // growth of the residual at which an increment is given up
+
+/// The part of the way from the state to the target.
+Target interpolate(const State& state, const Target& target, double r) {
+  Target part = target;
+  part.time = state.time + r * (target.time - state.time);
+  part.pressure = state.pressure + r * (target.pressure - state.pressure);
+  part.volume = state.volume + r * (target.volume - state.volume);
+  return part;
+}
+
+/// Corrector passes are kept from turning fibres head over heels.
+void limit_correction(Solution& solution) {
+  double largest = 0.0;
+  for (Eigen::Index i = 0; i < solution.q.size(); i += kDofs) {
+    largest = std::max(largest, solution.q.segment<2>(i + 3).norm());
+  }
+  constexpr double kLargestTurn = 0.2;  // [rad]
+  if (largest <= kLargestTurn) return;
+  solution.q *= kLargestTurn / largest;
+  solution.pressure_change *= kLargestTurn / largest;
+}
+
+/// One try in progress.
+class Corrector {
+ public:
+  Corrector(const Model& model, const State& state, const Target& target, Scratch& scratch)
+      : model_(model), state_(state), target_(target), s_(scratch) {
+    attempt_.loads = {target.time, target.use_volume ? state.pressure : target.pressure};
+  }
+
+  Attempt run() {
+    start_trial(state_, s_);
+    if (!predict()) return attempt_;
+    for (int k = 1; k <= model_.increment.max_iterations; ++k) {
+      attempt_.iterations = k;
+      evaluate(model_, state_, attempt_.loads, false, s_);
+      if (is_done()) return attempt_;
+      if (!std::isfinite(attempt_.residual) || attempt_.residual > kDivergence) {
+        attempt_.end = Attempt::End::kDiverged;
+        return attempt_;
+      }
+      if (!correct()) return attempt_;
+    }
+    attempt_.end = Attempt::End::kTooManyIterations;
+    return attempt_;
+  }
+
+ private:
+  double calc_volume_gap() const {
+    return target_.use_volume ? target_.volume - calc_volume(model_, state_, s_) : 0.0;
+  }
+
+  bool factorise_or_fail() {
+    assemble_matrix(model_, s_);
+    if (factorise(model_, s_).is_usable) return true;
+    attempt_.end = Attempt::End::kSingular;
+    return false;
+  }
+
+  bool predict() {
+    evaluate(model_, state_, attempt_.loads, !target_.is_turning, s_);
+    evaluate_contacts(model_, state_, attempt_.loads, s_);
+    if (!factorise_or_fail()) return false;
+    attempt_.negative_pivots = s_.last_factorisation.negative_pivots;
+    if (attempt_.negative_pivots > 0 && !target_.use_volume) {
+      attempt_.compliance = solve(model_, attempt_.loads, true, 0.0, s_).compliance;
+      attempt_.end = Attempt::End::kUnstable;
+      return false;
+    }
+    Solution solution = solve(model_, attempt_.loads, target_.use_volume, calc_volume_gap(), s_);
+    attempt_.limit = calc_step_limit(model_, solution.q, s_.trial);
+    const double r = std::min(1.0, attempt_.limit.fraction);
+    target_ = interpolate(state_, target_, r);
+    solution.q *= r;
+    attempt_.loads = {target_.time, target_.use_volume ? attempt_.loads.pressure + r * solution.pressure_change
+                                                       : target_.pressure};
+    move(s_.trial.configuration, solution.q);
+    return true;
+  }
+
+  /// Contact set, friction and imbalance of the present trial; true when it is an equilibrium.
+  bool is_done() {
+    evaluate_contacts(model_, state_, attempt_.loads, s_);
+    attempt_.residual = calc_imbalance(model_, attempt_.loads, s_).residual;
+    const bool may_release = attempt_.iterations > 1 && attempt_.residual < kReleaseResidual;
+    const SetChange change = update_contact_set(model_, state_, attempt_.loads, may_release, s_);
+    if (change.any()) evaluate_contacts(model_, state_, attempt_.loads, s_);
+    const double gap_tolerance = 0.1 * model_.touch_tolerance();
+    volume_gap_ = calc_volume_gap();
+    if (getenv("HYDBG")) fprintf(stderr, "  it %d res %.2e gap %.1e vgap %.1e touch %d rel %d recl %d strain %.4f p %.6g neg %d\n", attempt_.iterations, attempt_.residual, calc_gap_error(s_.trial), volume_gap_/state_.volume, change.touched, change.released, change.reclosed, s_.trial.strain_increment, attempt_.loads.pressure, s_.last_factorisation.negative_pivots); //DBG
+    if (change.any() || attempt_.residual > model_.increment.tolerance || calc_gap_error(s_.trial) > gap_tolerance ||
+        std::abs(volume_gap_) > kVolumeTolerance * std::abs(state_.volume)) {
+      return false;
+    }
+    attempt_.volume = target_.use_volume ? target_.volume : calc_volume(model_, state_, s_);
+    attempt_.end = Attempt::End::kConverged;
+    return true;
+  }
+
+  bool correct() {
+    if (!factorise_or_fail()) return false;
+    Solution solution = solve(model_, attempt_.loads, target_.use_volume, volume_gap_, s_);
+    limit_correction(solution);
+    attempt_.loads.pressure += solution.pressure_change;
+    move(s_.trial.configuration, solution.q);
+    return true;
+  }
+
+  const Model& model_;
+  const State& state_;
+  Target target_;
+  Scratch& s_;
+  Attempt attempt_;
+  double volume_gap_ = 0.0;
+};
+
+}  // namespace
+
+Attempt try_increment(const Model& model, const State& state, const Target& target, Scratch& scratch) {
+  return Corrector(model, state, target, scratch).run();
+}
+
+}  // namespace hydroscope

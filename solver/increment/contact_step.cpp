@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solver/increment/contact_step.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "solver/contact/constraint.h"
+
+namespace hydroscope {
+
+namespace {
+
+SlavePoint make_slave_point(const Configuration& c, std::size_t i, const Tool& tool) {
+  return {c.triad[i], tool.side * 0.5 * c.thickness[i]};
+}
+
+/// E_t of a node [N/mm]: a share of E/h per area (4.45).
+double calc_stick_stiffness(const Model& model, double area) {
+  return model.contact.stick_stiffness * model.law.sheet.material.youngs_modulus / model.thickness * area;
+}
+
+void add_supports(const Model& model, const Loads& loads, const Configuration& c, std::size_t i,
+                  NodeBasis& basis) {
+  const Triad& t = c.triad[i];
+  for (const Support& support : model.supports[i]) {
+    NodeVector row = NodeVector::Zero();
+    const Vec3& d = support.direction;
+    if (support.kind == Support::Kind::kClamp) {
+      basis.add_row(NodeVector::Unit(3), 0.0);
+      basis.add_row(NodeVector::Unit(4), 0.0);
+      continue;
+    }
+    const double target =
+        support.motion < 0 ? 0.0 : model.motions[static_cast<std::size_t>(support.motion)](loads.time);
+    row.head<3>() = d;
+    basis.add_row(row, target - d.dot(c.x[i] - model.x0[i]));
+    if (support.kind == Support::Kind::kSymmetry) {  // the fibre may turn about the plane's normal only
+      const Vec3 axis = t.v.cross(d);
+      row.setZero();
+      row[3] = t.v1.dot(axis);
+      row[4] = t.v2.dot(axis);
+      basis.add_row(row, t.v.dot(d));
+    }
+  }
+}
+
+/// Contact of one node with one tool: constraint row, normal force, friction, stiffness.
+void evaluate_point(const Model& model, const ContactPoint& start, const Tool& tool, std::size_t i,
+                    const NodeVector& residual, Scratch& s, ContactPoint& point) {
+  Trial& trial = s.trial;
+  const auto at = static_cast<Eigen::Index>(kDofs * i);
+  const SlavePoint slave = make_slave_point(trial.configuration, i, tool);
+  point.normal_force = point.held_row < 0 ? 0.0 : -s.bases[i].transform().col(point.held_row).dot(residual);  // t_N, mechanics 9.1
+  const FrictionResult friction =
+      calc_friction(start.friction, point.position - point.anchor, point.foot.normal, point.normal_force,
+                    tool.friction, calc_stick_stiffness(model, trial.area[i]));
+  point.friction = friction.force;
+  point.status = friction.is_slipping ? ContactStatus::kSlip : ContactStatus::kStick;
+  const auto map = slave.calc_map();
+  trial.friction.segment<kDofs>(at) += map.transpose() * friction.force;
+  trial.normal_reaction.segment<3>(at) += point.normal_force * point.foot.normal;
+  s.node_blocks[i] += calc_contact_stiffness(slave, point.foot, point.normal_force, friction,
+                                             model.contact.curvature != "none", true);
+}
+
+/// Where a node that went through the tool in this increment crossed its surface.
+Vec3 calc_anchor(const ContactPoint& before, const ContactPoint& now) {
+  if (!before.has_foot || before.foot.gap <= 0.0) return before.has_foot ? before.position : now.position;
+  const double share = before.foot.gap / (before.foot.gap - now.foot.gap);
+  return before.position + std::clamp(share, 0.0, 1.0) * (now.position - before.position);
+}
+
+struct ReleaseScale {
+  double mean_force = 0.0;  ///< of the nodes pressed by this tool [N]
+};
+
+ReleaseScale calc_release_scale(const std::vector<ContactPoint>& contacts) {
+  double sum = 0.0;
+  int count = 0;
+  for (const ContactPoint& c : contacts) {
+    if (!c.is_active() || c.normal_force <= 0.0) continue;
+    sum += c.normal_force;
+    ++count;
+  }
+  return {count > 0 ? sum / count : 0.0};
+}
+
+}  // namespace
+
+void search_contacts(const Model& model, const Loads& loads, Scratch& s) {
+  const PhaseTimer timer(s.times.search);
+  Trial& trial = s.trial;
+  const double band = std::max(3.0 * model.thickness, 1.5 * model.element_size);
+  const double depth = std::max(2.0 * model.thickness, model.element_size);
+  for (std::size_t t = 0; t < model.tools.size(); ++t) {
+    const Tool& tool = model.tools[t];
+    const Vec3 translation = tool.calc_translation(loads.time);
+    const bool is_present = tool.is_present(loads.time);
+    s.pool.for_ranges(trial.contacts[t].size(), [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) {
+        ContactPoint& point = trial.contacts[t][i];
+        const SlavePoint slave = make_slave_point(trial.configuration, i, tool);
+        point.position = trial.configuration.x[i] + slave.offset * slave.triad.v - translation;
+        point.has_foot = false;
+        if (!is_present) {
+          point.status = ContactStatus::kFree;
+          point.normal_force = 0.0;
+          point.friction.setZero();
+          continue;
+        }
+        // A node in contact is looked for farther: it must not be lost by one long step.
+        const double reach = point.is_active() ? 2.0 : 1.0;
+        const auto foot = tool.surface->find_foot_point(point.position, reach * band, reach * depth, point.hint);
+        if (!foot) continue;
+        point.has_foot = true;
+        point.foot = *foot;
+        point.foot.point += translation;
+      }
+    });
+  }
+}
+
+void evaluate_contacts(const Model& model, const State& state, const Loads& loads, Scratch& s) {
+  const PhaseTimer timer(s.times.search);
+  Trial& trial = s.trial;
+  trial.friction.setZero();
+  trial.normal_reaction.setZero();
+  const Vector residual = trial.calc_residual(loads);
+  for (std::size_t i = 0; i < model.x0.size(); ++i) {
+    s.node_blocks[i].setZero();
+    NodeBasis basis;
+    add_supports(model, loads, trial.configuration, i, basis);
+    bool touches = false;
+    for (std::size_t t = 0; t < model.tools.size(); ++t) {
+      ContactPoint& point = trial.contacts[t][i];
+      if (point.is_active() && !point.has_foot) {  // slid off or far away: no longer this tool's
+        point.status = ContactStatus::kFree;
+        point.normal_force = 0.0;
+        point.friction.setZero();
+      }
+      if (!point.is_active()) continue;
+      touches = true;
+      const NodeVector row =
+          calc_gap_row(make_slave_point(trial.configuration, i, model.tools[t]), point.foot.normal);
+      point.held_row = basis.add_row(row, -point.foot.gap);
+    }
+    basis.finish();
+    s.bases[i] = basis;
+    if (!touches) continue;
+    const NodeVector r = residual.segment<kDofs>(static_cast<Eigen::Index>(kDofs * i));
+    for (std::size_t t = 0; t < model.tools.size(); ++t) {
+      ContactPoint& point = trial.contacts[t][i];
+      if (point.is_active()) evaluate_point(model, state.contacts[t][i], model.tools[t], i, r, s, point);
+    }
+  }
+}
+
+double calc_smoothed_pressure(const Model& model, const std::vector<ContactPoint>& contacts,
+                              const std::vector<double>& area, int node) {
+  const auto i = static_cast<std::size_t>(node);
+  double force = contacts[i].normal_force, sum = area[i];
+  for (const int j : model.node_neighbours[i]) {
+    const auto k = static_cast<std::size_t>(j);
+    if (!contacts[k].is_active()) continue;
+    force += 0.5 * contacts[k].normal_force;
+    sum += 0.5 * area[k];
+  }
+  return sum > 0.0 ? force / sum : 0.0;
+}
+
+SetChange update_contact_set(const Model& model, const State& state, const Loads& loads, bool may_release,
+                             Scratch& s) {
+  Trial& trial = s.trial;
+  SetChange change;
+  const double through = -0.1 * model.touch_tolerance();
+  for (std::size_t t = 0; t < model.tools.size(); ++t) {
+    auto& contacts = trial.contacts[t];
+    const ReleaseScale scale = calc_release_scale(contacts);
+    std::vector<int> releases;
+    for (std::size_t i = 0; i < contacts.size(); ++i) {
+      ContactPoint& point = contacts[i];
+      if (!point.is_active()) {
+        const bool is_on_tool = point.has_foot && point.foot.beyond_edge <= 0.5 * model.thickness;
+        if (!is_on_tool || point.foot.gap >= through) continue;
+        point.anchor = calc_anchor(state.contacts[t][i], point);
+        point.status = ContactStatus::kStick;
+        point.friction.setZero();
+        ++(point.is_releasing ? change.reclosed : change.touched);
+        if (point.is_releasing) point.locked = 5;  // the fluid pushes it back: not a release
+        point.is_releasing = false;
+        continue;
+      }
+      if (!may_release || point.locked > 0) continue;
+      const double reference =
+          std::max(std::abs(loads.pressure) * trial.area[i], 0.1 * scale.mean_force);
+      const bool is_pulled = point.normal_force < -model.contact.release_tolerance * reference;
+      const bool has_left_edge = point.foot.beyond_edge > 0.5 * model.thickness;
+      if (has_left_edge || (is_pulled && calc_smoothed_pressure(model, contacts, trial.area,
+                                                                static_cast<int>(i)) <= 0.0)) {
+        releases.push_back(static_cast<int>(i));
+      }
+    }
+    for (const int i : releases) {  // all at once: a backed wall lets go together (V9)
+      ContactPoint& point = contacts[static_cast<std::size_t>(i)];
+      point.status = ContactStatus::kFree;
+      point.is_releasing = true;
+      point.normal_force = 0.0;
+      point.friction.setZero();
+      ++change.released;
+    }
+  }
+  return change;
+}
+
+double calc_gap_error(const Trial& trial) {
+  double error = 0.0;
+  for (const auto& contacts : trial.contacts) {
+    for (const ContactPoint& c : contacts) {
+      if (c.is_active() && c.held_row >= 0) error = std::max(error, std::abs(c.foot.gap));
+    }
+  }
+  return error;
+}
+
+}  // namespace hydroscope

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "solver/increment/scratch.h"
+
+namespace hydroscope {
+
+/// Gaps, foot points and normals of all slave points in the trial configuration
+/// against the tools as they stand at `loads.time`.
+void search_contacts(const Model& model, const Loads& loads, Scratch& scratch);
+
+/// Normal forces from total equilibrium (mechanics 9.1), friction by return
+/// mapping, contact stiffness, and the local bases with what is prescribed:
+/// minus the gap at contact nodes, the support motions at supports.
+void evaluate_contacts(const Model& model, const State& state, const Loads& loads, Scratch& scratch);
+
+/// Smoothed contact pressure of a tool's patch at a node [MPa]: the node with
+/// half of each neighbour in contact, over the same areas (mechanics 9.4).
+double calc_smoothed_pressure(const Model& model, const std::vector<ContactPoint>& contacts,
+                              const std::vector<double>& area, int node);
+
+/// What changed in the set of touching nodes.
+struct SetChange {
+  int touched = 0, released = 0, reclosed = 0;
+  bool any() const { return touched + released + reclosed > 0; }
+};
+
+/// Nodes that have gone through a tool touch; nodes under tension let go, by the
+/// rule of mechanics 9.4 (relative threshold and patch pressure, in groups); a
+/// released node that is pushed back is closed again and locked.
+/// `may_release` is false while reactions are still far from equilibrium.
+SetChange update_contact_set(const Model& model, const State& state, const Loads& loads, bool may_release,
+                             Scratch& scratch);
+
+/// Largest distance by which a node in contact is off its tool [mm].
+double calc_gap_error(const Trial& trial);
+
+}  // namespace hydroscope

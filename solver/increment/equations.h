@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "solver/increment/scratch.h"
+
+namespace hydroscope {
+
+/// Everything of the trial configuration at these loads: contacts, elements,
+/// forces, matrix. The trial must hold a configuration and contact points.
+void evaluate(const Model& model, const State& state, const Loads& loads, bool assume_flow, Scratch& scratch);
+
+/// Copies the accepted state into the trial.
+void start_trial(const State& state, Scratch& scratch);
+
+/// Out-of-balance force of the free degrees of freedom against the reference
+/// force max(|pressure force|, |contact force|, |reactions|, |edge loads|), both as
+/// Euclidean norms; moments count over the wall's thickness (mechanics 4.2).
+struct Imbalance {
+  double residual = 0.0;   ///< relative
+  double reference = 0.0;  ///< [N]
+};
+Imbalance calc_imbalance(const Model& model, const Loads& loads, const Scratch& scratch);
+
+/// Factorises the assembled matrix with the held degrees of freedom eliminated.
+Factorisation factorise(const Model& model, Scratch& scratch);
+
+/// Solves K q = residual with the prescribed values of the bases; with
+/// volume control, `volume_gap` [mm^3] is what the enclosed volume still lacks.
+/// Returns the displacements (u, alpha, beta) in world terms and the change of pressure.
+struct Solution {
+  Vector q;
+  double pressure_change = 0.0;
+  double compliance = 0.0;  ///< g . K^-1 g [mm^3/MPa]: negative past a limit point of pressure (volume control)
+};
+Solution solve(const Model& model, const Loads& loads, bool use_volume, double volume_gap, Scratch& scratch);
+
+/// Enclosed volume of the trial [mm^3]: the state's plus what the surface has
+/// swept, with the load vector at mid-way.
+double calc_volume(const Model& model, const State& state, const Scratch& scratch);
+
+/// Reactions of the supports on the sheet, a node [N].
+std::vector<Vec3> calc_reactions(const Model& model, const Loads& loads, const Scratch& scratch);
+
+}  // namespace hydroscope

@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solver/increment/evaluate.h"
+
+#include "solver/loading/pressure.h"
+
+namespace hydroscope {
+
+namespace {
+
+/// d x_s / d (u, alpha, beta) of the point X + offset V.
+Eigen::Matrix<double, 3, kDofs> calc_point_map(const Triad& t, double offset) {
+  Eigen::Matrix<double, 3, kDofs> map;
+  map << Mat3::Identity(), -offset * t.v2, offset * t.v1;
+  return map;
+}
+
+/// Load of unit pressure on the chosen surface, and p times its stiffness taken off `stiffness`.
+ElementVector add_pressure(const Model& model, const ElementNodes& nodes, double pressure,
+                           ElementMatrix& stiffness) {
+  std::array<Vec3, 4> x;
+  std::array<Eigen::Matrix<double, 3, kDofs>, 4> map;
+  std::array<double, 4> offset{};
+  for (std::size_t a = 0; a < 4; ++a) {
+    offset[a] = model.use_inner_surface ? -0.5 * nodes.thickness[a] : 0.0;
+    x[a] = nodes.x[a] + offset[a] * nodes.triad[a].v;
+    map[a] = calc_point_map(nodes.triad[a], offset[a]);
+  }
+  const auto load = calc_pressure_load(x);
+  ElementVector f;
+  for (std::size_t a = 0; a < 4; ++a) {
+    f.segment<kDofs>(static_cast<Eigen::Index>(kDofs * a)) = map[a].transpose() * load[a];
+  }
+  if (pressure == 0.0 || !model.use_load_stiffness) return f;
+  const auto k = calc_pressure_stiffness(x);
+  for (std::size_t a = 0; a < 4; ++a) {
+    const auto ia = static_cast<Eigen::Index>(kDofs * a);
+    for (std::size_t b = 0; b < 4; ++b) {
+      const auto ib = static_cast<Eigen::Index>(kDofs * b);
+      if (model.use_inner_surface) {
+        stiffness.block<kDofs, kDofs>(ia, ib) -= pressure * (map[a].transpose() * k[a][b] * map[b]);
+      } else {
+        stiffness.block<3, 3>(ia, ib) -= pressure * k[a][b];
+      }
+    }
+    const double turn = pressure * offset[a] * nodes.triad[a].v.dot(load[a]);
+    stiffness.block<2, 2>(ia + 3, ia + 3).diagonal().array() += turn;
+  }
+  return f;
+}
+
+/// Adds up element contributions node by node, always in the same order.
+void sum_over_nodes(const Scratch& s, Trial& trial, std::size_t begin, std::size_t end) {
+  for (std::size_t i = begin; i < end; ++i) {
+    NodeVector internal = NodeVector::Zero(), load = NodeVector::Zero();
+    double area = 0.0, volume = 0.0;
+    for (const auto& [e, a] : s.node_elements[i]) {
+      const auto element = static_cast<std::size_t>(e);
+      const ElementResponse& r = s.responses[element];
+      internal += r.force.segment<kDofs>(kDofs * a);
+      load += s.pressure_loads[element].segment<kDofs>(kDofs * a);
+      area += r.area[static_cast<std::size_t>(a)];
+      volume += r.volume[static_cast<std::size_t>(a)];
+    }
+    const auto at = static_cast<Eigen::Index>(kDofs * i);
+    trial.internal.segment<kDofs>(at) = internal;
+    trial.pressure_load.segment<kDofs>(at) = load;
+    trial.area[i] = area;
+    trial.volume[i] = volume;
+  }
+}
+
+}  // namespace
+
+Scratch::Scratch(const Model& model, int threads)
+    : pool(threads), matrix(model.n_nodes(), model.quads), solver(matrix) {
+  const auto n = static_cast<std::size_t>(model.n_nodes()), n_e = model.quads.size();
+  element_matrices.resize(n_e);
+  responses.resize(n_e);
+  pressure_loads.resize(n_e);
+  node_blocks.assign(n, NodeBlock::Zero());
+  bases.resize(n);
+  is_held.assign(n * kDofs, 0);
+  node_elements.resize(n);
+  for (std::size_t e = 0; e < n_e; ++e) {
+    for (int a = 0; a < 4; ++a) {
+      const auto node = static_cast<std::size_t>(model.quads[e][static_cast<std::size_t>(a)]);
+      node_elements[node].push_back({static_cast<int>(e), a});
+    }
+  }
+  const auto size = static_cast<Eigen::Index>(kDofs * n);
+  for (Vector* v : {&trial.internal, &trial.pressure_load, &trial.other_load, &trial.friction,
+                    &trial.normal_reaction}) {
+    *v = Vector::Zero(size);
+  }
+  trial.area.assign(n, 0.0);
+  trial.volume.assign(n, 0.0);
+}
+
+ElementNodes gather_nodes(const Model& model, const Configuration& c, std::size_t element) {
+  ElementNodes nodes;
+  for (std::size_t a = 0; a < 4; ++a) {
+    const auto i = static_cast<std::size_t>(model.quads[element][a]);
+    nodes.x[a] = c.x[i];
+    nodes.triad[a] = c.triad[i];
+    nodes.thickness[a] = c.thickness[i];
+  }
+  return nodes;
+}
+
+void evaluate_elements(const Model& model, const State& state, const Loads& loads, bool assume_flow, Scratch& s) {
+  const PhaseTimer timer(s.times.assemble);
+  Trial& trial = s.trial;
+  trial.layers.resize(state.layers.size());
+  trial.gauss.resize(state.gauss.size());
+  const auto n_l = static_cast<std::size_t>(kGaussPoints * model.law.rule.size());
+  s.pool.for_ranges(model.quads.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t e = begin; e < end; ++e) {
+      const ElementNodes nodes = gather_nodes(model, trial.configuration, e);
+      ElementSettings settings;
+      settings.assume_flow = assume_flow;
+      for (std::size_t a = 0; a < 4; ++a) {
+        const auto i = static_cast<std::size_t>(model.quads[e][a]);
+        settings.sigma33.start[a] = state.sigma33[i];
+        settings.sigma33.end[a] = trial.sigma33[i];
+      }
+      s.responses[e] = evaluate_element(
+          model.law, gather_nodes(model, state.configuration, e), nodes,
+          {std::span(state.layers).subspan(e * n_l, n_l), std::span(state.gauss).subspan(e * kGaussPoints, kGaussPoints)},
+          settings,
+          {std::span(trial.layers).subspan(e * n_l, n_l), std::span(trial.gauss).subspan(e * kGaussPoints, kGaussPoints)},
+          &s.element_matrices[e]);
+      s.pressure_loads[e] = add_pressure(model, nodes, loads.pressure, s.element_matrices[e]);
+    }
+  });
+  s.pool.for_ranges(static_cast<std::size_t>(model.n_nodes()),
+                    [&](std::size_t begin, std::size_t end) { sum_over_nodes(s, trial, begin, end); });
+  trial.strain_increment = trial.plastic_increment = 0.0;
+  for (std::size_t e = 0; e < s.responses.size(); ++e) {
+    if (s.responses[e].strain_increment > trial.strain_increment) {
+      trial.strain_increment = s.responses[e].strain_increment;
+      trial.strain_at = static_cast<int>(e);
+    }
+    trial.plastic_increment = std::max(trial.plastic_increment, s.responses[e].plastic_increment);
+  }
+}
+
+void update_thickness(Trial& trial) {
+  for (std::size_t i = 0; i < trial.area.size(); ++i) {
+    trial.configuration.thickness[i] = trial.volume[i] / trial.area[i];
+  }
+}
+
+void evaluate_edge_loads(const Model& model, const Loads& loads, Trial& trial) {
+  trial.other_load.setZero();
+  for (const EdgeLoad& edge : model.edge_loads) {
+    const Vec3 dead(edge.force_x(loads.time), edge.force_y(loads.time), 0.0);
+    const double tension = edge.tension(loads.time);
+    for (std::size_t k = 0; k < edge.nodes.size(); ++k) {
+      const auto i = static_cast<std::size_t>(edge.nodes[k]), j = static_cast<std::size_t>(edge.inner_nodes[k]);
+      const Vec3 tangent = (trial.configuration.x[i] - trial.configuration.x[j]).normalized();
+      trial.other_load.segment<3>(static_cast<Eigen::Index>(kDofs * i)) +=
+          edge.widths[k] * (dead + tension * tangent);
+    }
+  }
+}
+
+void evaluate_through_wall_stress(const Model& model, const State& state, const Loads& loads, Trial& trial) {
+  trial.sigma33.assign(state.sigma33.size(), 0.0);
+  if (!model.use_through_wall_stress) return;
+  for (std::size_t i = 0; i < trial.sigma33.size(); ++i) {
+    trial.sigma33[i] = -0.5 * (loads.pressure + state.outer_pressure[i]);
+  }
+}
+
+void assemble_matrix(const Model& model, Scratch& s) {
+  const PhaseTimer timer(s.times.assemble);
+  s.pool.for_ranges(model.quads.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t e = begin; e < end; ++e) {
+      ElementMatrix& k = s.element_matrices[e];
+      for (std::size_t a = 0; a < 4; ++a) {
+        const NodeBasis& basis = s.bases[static_cast<std::size_t>(model.quads[e][a])];
+        if (basis.is_identity()) continue;
+        const auto at = static_cast<Eigen::Index>(kDofs * a);
+        k.middleRows<kDofs>(at) = (basis.transform().transpose() * k.middleRows<kDofs>(at)).eval();
+        k.middleCols<kDofs>(at) = (k.middleCols<kDofs>(at) * basis.transform()).eval();
+      }
+    }
+  });
+  s.pool.for_ranges(static_cast<std::size_t>(model.n_nodes()), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      if (s.bases[i].is_identity()) continue;
+      s.node_blocks[i] = (s.bases[i].transform().transpose() * s.node_blocks[i] * s.bases[i].transform()).eval();
+    }
+    s.matrix.assemble(s.element_matrices, s.node_blocks, begin, end);
+  });
+}
+
+}  // namespace hydroscope

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "solver/increment/contact_step.h"
+#include "solver/increment/measures.h"
+
+namespace hydroscope {
+
+namespace {
+
+template <typename Value>
+double interpolate(const Quantity& q, Value value) {
+  double sum = 0.0;
+  for (std::size_t k = 0; k < q.nodes.size(); ++k) sum += q.weights[k] * value(static_cast<std::size_t>(q.nodes[k]));
+  return sum;
+}
+
+/// Distance from the axis of a face of the wall [mm].
+double calc_radius(const State& state, const std::string& face, std::size_t i) {
+  const Configuration& c = state.configuration;
+  const double side = face == "outer" ? 0.5 : (face == "inner" ? -0.5 : 0.0);
+  const Vec3 x = c.x[i] + side * c.thickness[i] * c.triad[i].v;
+  return std::hypot(x[0], x[1]);
+}
+
+/// Radius of the circle that fits the nodes best in the x-y plane (Kåsa's linear fit) [mm].
+double fit_circle(const State& state, const std::vector<int>& nodes) {
+  Vec3 centre = Vec3::Zero();
+  for (const int i : nodes) centre += state.configuration.x[static_cast<std::size_t>(i)];
+  centre /= static_cast<double>(nodes.size());
+  Mat3 a = Mat3::Zero();
+  Vec3 b = Vec3::Zero();
+  for (const int i : nodes) {
+    const Vec3 x = state.configuration.x[static_cast<std::size_t>(i)] - centre;
+    const Vec3 row(2.0 * x[0], 2.0 * x[1], 1.0);
+    a += row * row.transpose();
+    b += row * (x[0] * x[0] + x[1] * x[1]);
+  }
+  const Vec3 s = a.ldlt().solve(b);
+  return std::sqrt(std::max(0.0, s[2] + s[0] * s[0] + s[1] * s[1]));
+}
+
+double sum_contact_force(const Model& model, const State& state, const Quantity& q) {
+  double sum = 0.0;
+  const auto& contacts = state.contacts[static_cast<std::size_t>(q.tool)];
+  for (const int i : q.nodes) sum += contacts[static_cast<std::size_t>(i)].normal_force;
+  return sum / model.slice_width;
+}
+
+double sum_edge_force(const Model& model, const State& state, const Quantity& q) {
+  Vec3 sum = Vec3::Zero();
+  for (const int i : q.nodes) sum += state.reaction[static_cast<std::size_t>(i)];
+  return sum.norm() / model.slice_width;
+}
+
+/// Highest smoothed pressure of any tool at a node [MPa].
+double calc_contact_pressure(const Model& model, const State& state, std::size_t i) {
+  double pressure = 0.0;
+  for (const auto& contacts : state.contacts) {
+    if (contacts[i].is_active()) {
+      pressure = std::max(pressure, calc_smoothed_pressure(model, contacts, state.area, static_cast<int>(i)));
+    }
+  }
+  return pressure;
+}
+
+}  // namespace
+
+double evaluate_quantity(const Model& model, const State& state, const Quantity& q,
+                         const std::vector<double>& before) {
+  const std::string& kind = q.scene.kind;
+  if (kind == "thickness") {
+    return interpolate(q, [&](std::size_t i) { return state.configuration.thickness[i]; });
+  }
+  if (kind == "radius") {
+    return interpolate(q, [&](std::size_t i) { return calc_radius(state, q.scene.face, i); });
+  }
+  if (kind == "corner_radius") {  // from the outer face on the 45 degree line
+    const double distance = interpolate(q, [&](std::size_t i) { return calc_radius(state, "outer", i); });
+    return (std::numbers::sqrt2 * q.scene.half_width - distance) / (std::numbers::sqrt2 - 1.0);
+  }
+  if (kind == "contact_pressure") {
+    return interpolate(q, [&](std::size_t i) { return calc_contact_pressure(model, state, i); });
+  }
+  if (kind == "contact_force") return sum_contact_force(model, state, q);
+  if (kind == "bend_radius") return fit_circle(state, q.nodes);
+  if (kind == "edge_force") return sum_edge_force(model, state, q);
+  if (kind == "volume") return state.volume;
+  const auto value = [&](std::size_t k) { return before[static_cast<std::size_t>(q.of[k])]; };
+  if (kind == "sum") {
+    double sum = 0.0;
+    for (std::size_t k = 0; k < q.of.size(); ++k) sum += q.scene.factors[k] * value(k);
+    return sum;
+  }
+  if (kind == "ratio") return value(0) / value(1);
+  return std::numeric_limits<double>::quiet_NaN();
+}
+
+}  // namespace hydroscope

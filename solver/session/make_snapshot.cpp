@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solver/session/make_snapshot.h"
+
+#include <cmath>
+#include <limits>
+
+#include "solver/increment/contact_step.h"
+#include "solver/increment/measures.h"
+
+namespace hydroscope {
+
+namespace {
+
+/// Largest plastic strain of the layers at the Gauss point next to each node, averaged over its elements.
+std::vector<double> calc_plastic_strain(const Model& model, const State& state) {
+  std::vector<double> sum(model.x0.size(), 0.0), count(model.x0.size(), 0.0);
+  const auto n_z = static_cast<std::size_t>(model.law.rule.size());
+  for (std::size_t e = 0; e < model.quads.size(); ++e) {
+    for (std::size_t a = 0; a < 4; ++a) {
+      double largest = 0.0;
+      for (std::size_t k = 0; k < n_z; ++k) {
+        largest = std::max(largest, state.layers[(e * kGaussPoints + a) * n_z + k].point.plastic_strain);
+      }
+      sum[static_cast<std::size_t>(model.quads[e][a])] += largest;
+      count[static_cast<std::size_t>(model.quads[e][a])] += 1.0;
+    }
+  }
+  for (std::size_t i = 0; i < sum.size(); ++i) sum[i] /= std::max(count[i], 1.0);
+  return sum;
+}
+
+/// Takes over what one tool does at a node; the nearest tool gives the gap.
+void add_contact(const Model& model, const State& state, std::size_t t, std::size_t i, Snapshot& s) {
+  const ContactPoint& c = state.contacts[t][i];
+  if (!c.has_foot) return;
+  if (!(std::abs(s.gap[i]) <= std::abs(c.foot.gap))) s.gap[i] = c.foot.gap;
+  if (!c.is_active()) {
+    const bool has_just_let_go = c.last_toggle == state.increment && c.toggles > 0 && state.increment > 0;
+    if (has_just_let_go && s.contact_state[i] == ContactClass::kFree) {
+      s.contact_state[i] = ContactClass::kDetachedNow;
+    }
+    return;
+  }
+  s.contact_state[i] = c.status == ContactStatus::kStick ? ContactClass::kStick : ContactClass::kSlip;
+  s.contact_tool[i] = static_cast<int>(t);
+  s.contact_force[i] += c.normal_force * c.foot.normal + c.friction;
+  s.contact_pressure[i] += calc_smoothed_pressure(model, state.contacts[t], state.area, static_cast<int>(i));
+  s.tool_normal[i] = c.foot.normal;
+  s.slip[i] = c.slip;
+  s.slip_increment[i] = c.slip_increment;
+}
+
+}  // namespace
+
+std::shared_ptr<const Snapshot> make_snapshot(const Model& model, const State& state,
+                                              std::shared_ptr<const SnapshotModel> shared) {
+  auto s = std::make_shared<Snapshot>();
+  const std::size_t n = model.x0.size();
+  s->model = std::move(shared);
+  s->increment = state.increment;
+  s->time = state.time;
+  s->pressure = state.pressure;
+  s->feed = model.feed(state.time);
+  s->points = state.configuration.x;
+  for (const Triad& t : state.configuration.triad) s->directors.push_back(t.v);
+  s->thickness = state.configuration.thickness;
+  s->plastic_strain = calc_plastic_strain(model, state);
+  s->contact_state.assign(n, ContactClass::kFree);
+  s->contact_tool.assign(n, -1);
+  s->gap.assign(n, std::numeric_limits<double>::quiet_NaN());
+  s->contact_pressure.assign(n, 0.0);
+  for (auto* field : {&s->contact_force, &s->tool_normal, &s->slip, &s->slip_increment}) {
+    field->assign(n, Vec3::Zero());
+  }
+  for (std::size_t t = 0; t < model.tools.size(); ++t) {
+    for (std::size_t i = 0; i < n; ++i) add_contact(model, state, t, i, *s);
+    s->tool_translation.push_back(model.tools[t].calc_translation(state.time));
+  }
+  std::vector<double> values;
+  for (const Quantity& q : model.quantities) {
+    values.push_back(evaluate_quantity(model, state, q, values));
+    s->quantities[q.name] = values.back();
+  }
+  return s;
+}
+
+}  // namespace hydroscope
