@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <map>
+#include <memory>
+#include <string>
+
+#include "render/image/png_file.h"
+#include "render/stage.h"
+#include "render/views.h"
+
+namespace hydroscope {
+
+/// A drawn frame and what is written beside it.
+struct Frame {
+  Image image;
+  PngTexts texts;
+  std::string sidecar;  ///< JSON
+};
+
+/// Which frame of which sequence.
+struct FrameNumber {
+  int index = 0;     ///< from 0
+  int expected = 1;  ///< frames in the whole sequence
+};
+
+/// Draws frames: stage, views and overlay in one. Belongs to one thread.
+class FramePainter {
+ public:
+  explicit FramePainter(const FrameOptions& options);
+
+  const RendererInfo& info() const { return stage_.info(); }
+
+  /// The first snapshot fixes the camera's box, the arrows' nodes and the tools.
+  Frame paint(const std::string& view, const Snapshot& snapshot, FrameNumber number,
+              const std::map<std::string, Range>& ranges);
+
+ private:
+  FrameOptions options_;
+  Stage stage_;
+  std::unique_ptr<Views> views_;
+};
+
+/// The JSON beside a frame. Numbers read back exactly; what is no number is null.
+std::string make_sidecar(const std::string& view, const Snapshot& snapshot, FrameNumber number,
+                         const CameraPose& camera, const std::map<std::string, Range>& ranges,
+                         const FrameOptions& options, const RendererInfo& renderer);
+
+/// Sum of the contact forces of the tools on the sheet, over the modelled nodes [N].
+Vec3 calc_contact_force_sum(const Snapshot& snapshot);
+
+}  // namespace hydroscope

@@ -1,0 +1,289 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The only file that knows OpenGL. See docs/decisions/0002-osmesa-with-debian-vtk.md.
+#include "render/offscreen_context.h"
+
+#include <GL/gl.h>
+#include <GL/osmesa.h>
+#include <dlfcn.h>
+#include <vtkActor.h>                      // VTK::RenderingCore
+#include <vtkCallbackCommand.h>            // VTK::CommonCore
+#include <vtkCamera.h>                     // VTK::RenderingCore
+#include <vtkGenericOpenGLRenderWindow.h>  // VTK::RenderingOpenGL2
+#include <vtkNew.h>                        // VTK::CommonCore
+#include <vtkPlaneSource.h>                // VTK::FiltersSources
+#include <vtkPolyDataMapper.h>             // VTK::RenderingCore
+#include <vtkProperty.h>                   // VTK::RenderingCore
+#include <vtkRenderer.h>                   // VTK::RenderingCore
+#include <vtkRendererCollection.h>         // VTK::RenderingCore
+#include <vtkUnsignedCharArray.h>          // VTK::CommonCore
+
+#include <cstdlib>
+#include <cstring>
+#include <mutex>
+#include <vector>
+
+#include "render/vtk_messages.h"
+#include "solver/base/error.h"
+
+namespace {
+
+// ---- libOSMesa, opened when the first picture is wanted ---------------------
+// Linking it would make the loader abort the whole program where it is missing,
+// also for runs without frames; opened by hand, its absence is an ordinary error.
+
+enum GlCall : int {
+#define FORWARD(result, name, parameters, arguments) k_##name,
+#include "render/offscreen_gl_calls.inc"
+#undef FORWARD
+  kGlCallCount
+};
+
+constexpr const char* kGlCallNames[kGlCallCount] = {
+#define FORWARD(result, name, parameters, arguments) #name,
+#include "render/offscreen_gl_calls.inc"
+#undef FORWARD
+};
+
+void* g_gl_calls[kGlCallCount] = {};
+
+struct OSMesaLibrary {
+  decltype(&OSMesaCreateContextAttribs) create_context = nullptr;
+  decltype(&OSMesaDestroyContext) destroy_context = nullptr;
+  decltype(&OSMesaMakeCurrent) make_current = nullptr;
+  decltype(&OSMesaGetCurrentContext) current_context = nullptr;
+  decltype(&OSMesaGetProcAddress) proc_address = nullptr;
+  std::string error;  ///< why it cannot be used; "" = it can
+};
+
+template <typename Function>
+void bind(void* handle, const char* name, Function& function, std::string& error) {
+  function = reinterpret_cast<Function>(dlsym(handle, name));
+  if (function == nullptr && error.empty()) error = std::string("it has no function ") + name;
+}
+
+OSMesaLibrary open_osmesa() {
+  OSMesaLibrary library;
+  // For a Mesa of one's own, and for tests of its absence.
+  const char* chosen = std::getenv("HYDROSCOPE_OSMESA");
+  const std::string name = chosen != nullptr ? chosen : "libOSMesa.so.8";
+  // Never closed: Mesa's and LLVM's exit handlers must find their code.
+  void* handle = dlopen(name.c_str(), RTLD_NOW | RTLD_LOCAL);
+  if (handle == nullptr) {
+    const char* reason = dlerror();
+    library.error = reason != nullptr ? reason : name;
+  } else {
+    bind(handle, "OSMesaCreateContextAttribs", library.create_context, library.error);
+    bind(handle, "OSMesaDestroyContext", library.destroy_context, library.error);
+    bind(handle, "OSMesaMakeCurrent", library.make_current, library.error);
+    bind(handle, "OSMesaGetCurrentContext", library.current_context, library.error);
+    bind(handle, "OSMesaGetProcAddress", library.proc_address, library.error);
+    for (int call = 0; call < kGlCallCount; ++call)
+      bind(handle, kGlCallNames[call], g_gl_calls[call], library.error);
+  }
+  if (!library.error.empty())
+    library.error = "cannot use the software renderer " + name + ": " + library.error +
+                    " (Debian package: libosmesa6; runs without frames do not need it)";
+  return library;
+}
+
+const OSMesaLibrary& osmesa() {
+  static const OSMesaLibrary library = open_osmesa();
+  return library;
+}
+
+// ---- what GLEW, built for GLX, asks before it loads any function ------------
+
+void* pretended_display() {
+  static int display = 0;  // only compared with null
+  return &display;
+}
+
+}  // namespace
+
+// ---- names that VTK and GLEW bind to: the program's own come before GLVND's --
+
+extern "C" {
+#define FORWARD(result, name, parameters, arguments) \
+  result name parameters { return reinterpret_cast<decltype(&name)>(g_gl_calls[k_##name]) arguments; }
+#include "render/offscreen_gl_calls.inc"
+#undef FORWARD
+
+using GlFunction = void (*)();
+
+GlFunction glXGetProcAddressARB(const GLubyte* name) {
+  const char* wanted = reinterpret_cast<const char*>(name);
+  if (std::strcmp(wanted, "glXGetCurrentDisplay") == 0)
+    return reinterpret_cast<GlFunction>(&pretended_display);
+  if (std::strncmp(wanted, "glX", 3) == 0) return nullptr;
+  return osmesa().proc_address != nullptr ? osmesa().proc_address(wanted) : nullptr;
+}
+GlFunction glXGetProcAddress(const GLubyte* name) { return glXGetProcAddressARB(name); }
+int glXQueryVersion(void*, int* major, int* minor) {
+  *major = 1;
+  *minor = 4;
+  return 1;
+}
+const char* glXGetClientString(void*, int) { return ""; }
+}
+
+namespace hydroscope {
+namespace {
+
+constexpr int kBufferSize = 16;  // [px] of OSMesa's own buffer: VTK draws into frame buffer objects
+
+/// A current OSMesa context on this thread for as long as it lives.
+class CurrentContext {
+ public:
+  explicit CurrentContext(int rasteriser_threads);
+  ~CurrentContext();
+  CurrentContext(const CurrentContext&) = delete;
+  CurrentContext& operator=(const CurrentContext&) = delete;
+
+  bool is_current() const { return osmesa().current_context() == context_; }
+  bool make_current() {
+    return osmesa().make_current(context_, buffer_.data(), GL_UNSIGNED_BYTE, kBufferSize, kBufferSize) != 0;
+  }
+
+ private:
+  OSMesaContext context_ = nullptr;
+  OSMesaContext previous_ = nullptr;
+  std::vector<unsigned char> buffer_ = std::vector<unsigned char>(4 * kBufferSize * kBufferSize);
+};
+
+void set_rasteriser_threads(int threads) {
+  // llvmpipe reads it once, with the first context of the process.
+  static std::once_flag once;
+  std::call_once(once, [threads] { setenv("LP_NUM_THREADS", std::to_string(threads).c_str(), 1); });
+}
+
+CurrentContext::CurrentContext(int rasteriser_threads) {
+  if (!osmesa().error.empty()) throw EnvironmentError(osmesa().error);
+  // If another library's names came first, VTK would draw into nothing.
+  if (dlsym(RTLD_DEFAULT, "glClear") != reinterpret_cast<void*>(&glClear))
+    throw EnvironmentError("this program was linked so that VTK does not find the software renderer");
+  set_rasteriser_threads(rasteriser_threads);
+  const int attributes[] = {OSMESA_FORMAT,
+                            OSMESA_RGBA,
+                            OSMESA_DEPTH_BITS,
+                            24,
+                            OSMESA_PROFILE,
+                            OSMESA_CORE_PROFILE,
+                            OSMESA_CONTEXT_MAJOR_VERSION,
+                            3,
+                            OSMESA_CONTEXT_MINOR_VERSION,
+                            2,
+                            0};
+  context_ = osmesa().create_context(attributes, nullptr);
+  if (context_ == nullptr)
+    throw EnvironmentError("the software renderer (libOSMesa) has no OpenGL 3.2 core profile");
+  if (!make_current()) {
+    osmesa().destroy_context(context_);
+    throw EnvironmentError("the software renderer (libOSMesa) cannot make its context current");
+  }
+}
+
+CurrentContext::~CurrentContext() {
+  osmesa().make_current(nullptr, nullptr, 0, 0, 0);
+  osmesa().destroy_context(context_);
+}
+
+std::string gl_text(GLenum name) {
+  const GLubyte* text = glGetString(name);
+  return text != nullptr ? reinterpret_cast<const char*>(text) : "unknown";
+}
+
+}  // namespace
+
+struct OffscreenContext::Impl {
+  explicit Impl(const Options& options);
+  ~Impl();
+
+  Image draw(int reduction);
+  void self_test();
+
+  CurrentContext context;  // first: outlives the window that draws with it
+  vtkNew<vtkGenericOpenGLRenderWindow> window;
+  vtkNew<vtkUnsignedCharArray> pixels;
+  RendererInfo info;
+};
+
+OffscreenContext::Impl::Impl(const Options& options) : context(options.rasteriser_threads) {
+  catch_vtk_messages();
+  take_vtk_messages();
+  info = {gl_text(GL_RENDERER), gl_text(GL_VERSION)};
+  if (!is_trusted_renderer(info.renderer))
+    throw EnvironmentError("renderer '" + info.renderer +
+                           "' is not known to draw correctly; llvmpipe is needed (unset GALLIUM_DRIVER)");
+  window->SetOwnContext(0);
+  window->SetReadyForRendering(true);
+  window->SetSupportsOpenGL(1);
+  window->SetIsDirect(1);
+  window->SetMapped(1);
+  window->SetIsCurrent(true);
+  window->SwapBuffersOff();
+  window->SetFrameBlitModeToNoBlit();
+  window->SetMultiSamples(0);
+  window->SetSize(options.width, options.height);
+  window->SetScreenSize(options.width, options.height);
+  window->OpenGLInit();
+  self_test();
+}
+
+OffscreenContext::Impl::~Impl() {
+  context.make_current();
+  window->Finalize();
+}
+
+Image OffscreenContext::Impl::draw(int reduction) {
+  if (!context.is_current() && !context.make_current())
+    throw EnvironmentError("the software renderer's context was lost");
+  window->Render();
+  const int* size = window->GetSize();
+  window->GetRGBACharPixelData(0, 0, size[0] - 1, size[1] - 1, 0, pixels);
+  const std::string messages = take_vtk_messages();
+  if (!messages.empty()) throw EnvironmentError("drawing failed: " + messages);
+  return reduced(pixels->GetPointer(0), size[0] / reduction, size[1] / reduction, reduction);
+}
+
+/// A red square in front of a blue ground with a known place for each.
+void OffscreenContext::Impl::self_test() {
+  vtkNew<vtkPlaneSource> square;  // -0.5..0.5
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputConnection(square->GetOutputPort());
+  vtkNew<vtkActor> actor;
+  actor->SetMapper(mapper);
+  actor->GetProperty()->SetColor(1.0, 0.0, 0.0);
+  actor->GetProperty()->LightingOff();
+  vtkNew<vtkRenderer> renderer;
+  renderer->SetBackground(0.0, 0.0, 1.0);
+  renderer->AddActor(actor);
+  renderer->GetActiveCamera()->ParallelProjectionOn();
+  renderer->ResetCamera();
+  renderer->GetActiveCamera()->SetParallelScale(1.0);
+  window->AddRenderer(renderer);
+  const Image image = draw(1);
+  window->RemoveRenderer(renderer);
+  const std::uint8_t* centre = image.pixel(image.width / 2, image.height / 2);
+  const std::uint8_t* corner = image.pixel(1, 1);
+  const bool is_right = centre[0] == 255 && centre[1] == 0 && centre[2] == 0 && corner[0] == 0 &&
+                        corner[1] == 0 && corner[2] == 255;
+  if (!is_right)
+    throw EnvironmentError("renderer '" + info.renderer + "' failed its self-test: wrong pixels");
+}
+
+OffscreenContext::OffscreenContext(const Options& options) : impl_(std::make_unique<Impl>(options)) {}
+OffscreenContext::~OffscreenContext() = default;
+vtkRenderWindow& OffscreenContext::window() { return *impl_->window; }
+const RendererInfo& OffscreenContext::info() const { return impl_->info; }
+Image OffscreenContext::draw(int reduction) { return impl_->draw(reduction); }
+
+std::string describe_renderer() {
+  const OffscreenContext context({.width = 64, .height = 64});
+  return context.info().renderer + ", OpenGL " + context.info().version;
+}
+
+bool is_trusted_renderer(const std::string& gl_renderer) {
+  return gl_renderer.find("llvmpipe") != std::string::npos;
+}
+
+}  // namespace hydroscope

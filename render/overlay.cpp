@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "render/overlay.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "render/image/canvas.h"
+#include "render/view_text.h"
+
+namespace hydroscope {
+namespace {
+
+/// Sizes for a picture of 720 rows, scaled with it.
+class Layout {
+ public:
+  Layout(Image& image, const Theme& given)
+      : canvas(image),
+        theme(given),
+        width(image.width),
+        height(image.height),
+        scale_(std::clamp(std::min(image.height / 720.0, image.width / 1000.0), 0.5, 6.0)) {}
+
+  int px(double at_720) const { return static_cast<int>(std::lround(at_720 * scale_)); }
+
+  Canvas canvas;
+  const Theme& theme;
+  const int width, height;
+
+ private:
+  double scale_;
+};
+
+void draw_heading(Layout& layout, const Legend& legend, const std::string& title,
+                  const std::string& time_label) {
+  const int x = layout.px(24);
+  Canvas::TextStyle heading{.size = layout.px(25), .colour = layout.theme.text, .is_bold = true};
+  layout.canvas.text(x, layout.px(16), legend.heading, heading);
+  const int after = Canvas::text_size(legend.heading, heading)[0];
+  layout.canvas.text(x + after + layout.px(14), layout.px(22), title,
+                     {.size = layout.px(18), .colour = layout.theme.faint_text});
+  layout.canvas.text(x, layout.px(50), time_label, {.size = layout.px(18), .colour = layout.theme.text});
+}
+
+/// Swatches and notes in a panel at the upper right; returns the row below it.
+int draw_swatches(Layout& layout, const Legend& legend, int top) {
+  const Canvas::TextStyle label{.size = layout.px(16), .colour = layout.theme.text};
+  const Canvas::TextStyle note{.size = layout.px(13), .colour = layout.theme.faint_text};
+  const int line = layout.px(26), square = layout.px(16), pad = layout.px(12), note_line = layout.px(18);
+  int widest = 0;
+  for (const auto& swatch : legend.swatches)
+    widest = std::max(widest, square + layout.px(10) + Canvas::text_size(swatch.label, label)[0]);
+  for (const auto& words : legend.notes) widest = std::max(widest, Canvas::text_size(words, note)[0]);
+  const int panel_width = widest + 2 * pad;
+  const int rows = static_cast<int>(legend.swatches.size()), notes = static_cast<int>(legend.notes.size());
+  const int panel_height = rows * line + notes * note_line + 2 * pad - layout.px(4);
+  if (rows + notes == 0) return top;
+  const int left = layout.width - layout.px(20) - panel_width;
+  layout.canvas.fill(left, top, panel_width, panel_height, layout.theme.panel, 0.82);
+  layout.canvas.frame(left, top, panel_width, panel_height, layout.theme.panel_frame);
+  int y = top + pad;
+  for (const auto& swatch : legend.swatches) {
+    layout.canvas.fill(left + pad, y, square, square, swatch.colour);
+    layout.canvas.frame(left + pad, y, square, square, layout.theme.faint_text);
+    const int height = Canvas::text_size(swatch.label, label)[1];
+    layout.canvas.text(left + pad + square + layout.px(10), y + (square - height) / 2, swatch.label, label);
+    y += line;
+  }
+  for (const auto& words : legend.notes) {
+    layout.canvas.text(left + pad, y, words, note);
+    y += note_line;
+  }
+  return top + panel_height + layout.px(14);
+}
+
+int draw_bar(Layout& layout, const Legend::Bar& bar, int top) {
+  const Canvas::TextStyle label{.size = layout.px(15), .colour = layout.theme.text};
+  const int bar_width = layout.px(18), bar_height = layout.px(260), pad = layout.px(12);
+  const double step = calc_round_step((bar.range.high - bar.range.low) / 6.0);
+  const double first = step * std::ceil(bar.range.low / step - 1e-9);
+  int widest = 0;
+  for (double value = first; value <= bar.range.high + 1e-9 * step; value += step)
+    widest = std::max(widest, Canvas::text_size(format_number(value), label)[0]);
+  const int title_width = Canvas::text_size(bar.title, label)[0];
+  const int panel_width = std::max(title_width, bar_width + layout.px(14) + widest) + 2 * pad;
+  const int panel_height = bar_height + layout.px(30) + 2 * pad + layout.px(8);
+  const int left = layout.width - layout.px(20) - panel_width;
+  layout.canvas.fill(left, top, panel_width, panel_height, layout.theme.panel, 0.82);
+  layout.canvas.frame(left, top, panel_width, panel_height, layout.theme.panel_frame);
+  layout.canvas.text(left + pad, top + layout.px(9), bar.title, label);
+  const int x = left + pad, y = top + pad + layout.px(32);
+  for (int row = 0; row < bar_height; ++row) {
+    const double s = 1.0 - (row + 0.5) / bar_height;
+    layout.canvas.fill(x, y + row, bar_width, 1, map_colour(*bar.table, s, 0.0, 1.0));
+  }
+  layout.canvas.frame(x, y, bar_width, bar_height, layout.theme.faint_text);
+  const int letters = Canvas::text_size("0", label)[1];
+  for (double value = first; value <= bar.range.high + 1e-9 * step; value += step) {
+    const double s = (value - bar.range.low) / (bar.range.high - bar.range.low);
+    const int tick = y + static_cast<int>(std::lround((1.0 - s) * (bar_height - 1)));
+    layout.canvas.fill(x + bar_width, tick, layout.px(5), 1, layout.theme.faint_text);
+    layout.canvas.text(x + bar_width + layout.px(10), tick - letters / 2, format_number(value), label);
+  }
+  return top + panel_height + layout.px(14);
+}
+
+/// The three directions as the camera sees them, nearest drawn last.
+void draw_axes(Layout& layout, const CameraPose& camera) {
+  const Vec3 direction = (camera.position - camera.focal).normalized();
+  const Vec3 right = camera.up.cross(direction).normalized(), upright = direction.cross(right);
+  struct Axis {
+    int index;
+    double depth;
+  };
+  std::array<Axis, 3> axes;
+  for (int i = 0; i < 3; ++i) axes[static_cast<std::size_t>(i)] = {i, direction[i]};
+  std::sort(axes.begin(), axes.end(), [](const Axis& a, const Axis& b) { return a.depth < b.depth; });
+  constexpr std::array<Rgb, 3> kColoursOfAxes{{{213, 94, 0}, {0, 140, 100}, {0, 114, 178}}};
+  constexpr std::array<const char*, 3> kNames{"x", "y", "z"};
+  const double x = layout.px(66), y = layout.height - layout.px(62), length = layout.px(40);
+  for (const Axis& axis : axes) {
+    const auto i = static_cast<std::size_t>(axis.index);
+    const double dx = length * right[axis.index], dy = -length * upright[axis.index];
+    layout.canvas.line(x, y, x + dx, y + dy, layout.px(3), kColoursOfAxes[i]);
+    const double size = std::hypot(dx, dy);
+    if (size > layout.px(6))
+      for (double turn : {0.42, -0.42}) {
+        const double c = std::cos(turn), s = std::sin(turn), back = -layout.px(10) / size;
+        layout.canvas.line(x + dx, y + dy, x + dx + back * (c * dx - s * dy),
+                           y + dy + back * (s * dx + c * dy), layout.px(3), kColoursOfAxes[i]);
+      }
+    const Canvas::TextStyle style{
+        .size = layout.px(16), .colour = layout.theme.text, .is_bold = true, .align = Canvas::Align::kCentre};
+    const double reach = size > 0.0 ? 1.0 + layout.px(13) / std::max(size, 1.0) : 1.0;
+    layout.canvas.text(
+        static_cast<int>(std::lround(x + reach * dx)),
+        static_cast<int>(std::lround(y + reach * dy)) - Canvas::text_size(kNames[i], style)[1] / 2, kNames[i],
+        style);
+  }
+}
+
+}  // namespace
+
+void draw_overlay(Image& image, const Legend& legend, const std::string& title, const std::string& time_label,
+                  const CameraPose& camera, const Theme& theme) {
+  Layout layout(image, theme);
+  draw_heading(layout, legend, title, time_label);
+  int top = layout.px(20);
+  for (const Legend::Bar& bar : legend.bars) top = draw_bar(layout, bar, top);
+  draw_swatches(layout, legend, top);
+  draw_axes(layout, camera);
+}
+
+}  // namespace hydroscope

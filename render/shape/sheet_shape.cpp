@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "render/shape/sheet_shape.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <string>
+#include <utility>
+
+#include "render/image/colour_map.h"
+#include "solver/base/error.h"
+
+namespace hydroscope {
+namespace {
+
+std::size_t at(int index) { return static_cast<std::size_t>(index); }
+
+/// Builds the wall of the modelled piece, face by face.
+class WallBuilder {
+ public:
+  WallBuilder(const Snapshot& snapshot, const std::vector<Vec3>& normals, const NodePaint* paint)
+      : snapshot_(snapshot), normals_(normals), paint_(paint) {}
+
+  void add_face(const std::vector<std::array<int, 4>>& quads, double side);
+  void add_rim_quad(int a, int b);
+  Surface take() { return std::move(surface_); }
+
+ private:
+  Vec3 face_point(int node, double side) const {
+    return snapshot_.points[at(node)] +
+           0.5 * side * snapshot_.thickness[at(node)] * snapshot_.directors[at(node)];
+  }
+  int kind(int node) const {
+    if (paint_ == nullptr) return 0;
+    if (!paint_->classes.empty()) return static_cast<int>(paint_->classes[at(node)]);
+    return std::isfinite(paint_->values[at(node)]) ? 0 : 1;
+  }
+  int add_vertex(const Vec3& x, const Vec3& n, int painted_as);
+  int face_vertex(int node, double side);
+  void add_quad(std::array<int, 4> corners, double side) {
+    if (side < 0.0) std::swap(corners[1], corners[3]);
+    surface_.polygons.push_back(corners);
+  }
+  void add_quarters(const std::array<int, 4>& quad, double side);
+
+  const Snapshot& snapshot_;
+  const std::vector<Vec3>& normals_;
+  const NodePaint* paint_;
+  std::vector<int> vertex_of_;  ///< of the face being built, by node; -1 none yet
+  Surface surface_;
+};
+
+int WallBuilder::add_vertex(const Vec3& x, const Vec3& n, int painted_as) {
+  if (paint_ != nullptr && !paint_->classes.empty())
+    surface_.colours.push_back(class_colour(paint_->classes[at(painted_as)]));
+  if (paint_ != nullptr && !paint_->values.empty())
+    surface_.values.push_back(static_cast<float>(paint_->values[at(painted_as)]));
+  return surface_.add_point(x, n);
+}
+
+int WallBuilder::face_vertex(int node, double side) {
+  int& vertex = vertex_of_[at(node)];
+  if (vertex < 0) vertex = add_vertex(face_point(node, side), side * normals_[at(node)], node);
+  return vertex;
+}
+
+void WallBuilder::add_face(const std::vector<std::array<int, 4>>& quads, double side) {
+  vertex_of_.assign(snapshot_.points.size(), -1);
+  for (const auto& quad : quads) {
+    const int first = kind(quad[0]);
+    const bool is_uniform = kind(quad[1]) == first && kind(quad[2]) == first && kind(quad[3]) == first;
+    if (is_uniform)
+      add_quad({face_vertex(quad[0], side), face_vertex(quad[1], side), face_vertex(quad[2], side),
+                face_vertex(quad[3], side)},
+               side);
+    else
+      add_quarters(quad, side);
+  }
+}
+
+void WallBuilder::add_quarters(const std::array<int, 4>& quad, double side) {
+  std::array<Vec3, 4> x, n;
+  Vec3 centre = Vec3::Zero(), centre_normal = Vec3::Zero();
+  for (std::size_t k = 0; k < 4; ++k) {
+    x[k] = face_point(quad[k], side);
+    n[k] = side * normals_[at(quad[k])];
+    centre += 0.25 * x[k];
+    centre_normal += n[k];
+  }
+  centre_normal.normalize();
+  for (std::size_t k = 0; k < 4; ++k) {
+    const std::size_t next = (k + 1) % 4, last = (k + 3) % 4;
+    const int after = add_vertex(0.5 * (x[k] + x[next]), (n[k] + n[next]).normalized(), quad[k]);
+    const int middle = add_vertex(centre, centre_normal, quad[k]);
+    const int before = add_vertex(0.5 * (x[k] + x[last]), (n[k] + n[last]).normalized(), quad[k]);
+    add_quad({face_vertex(quad[k], side), after, middle, before}, side);
+  }
+}
+
+void WallBuilder::add_rim_quad(int a, int b) {
+  const Vec3 along = snapshot_.points[at(b)] - snapshot_.points[at(a)];
+  const Vec3 normal = along.cross(snapshot_.directors[at(a)] + snapshot_.directors[at(b)]).normalized();
+  const Vec3 outer_middle = 0.5 * (face_point(a, 1.0) + face_point(b, 1.0));
+  const Vec3 inner_middle = 0.5 * (face_point(a, -1.0) + face_point(b, -1.0));
+  const bool is_split = kind(a) != kind(b);
+  const auto strip = [&](const Vec3& inner_0, const Vec3& inner_1, const Vec3& outer_1, const Vec3& outer_0,
+                         int node_0, int node_1) {
+    surface_.polygons.push_back({add_vertex(inner_0, normal, node_0), add_vertex(inner_1, normal, node_1),
+                                 add_vertex(outer_1, normal, node_1), add_vertex(outer_0, normal, node_0)});
+  };
+  if (is_split) {
+    strip(face_point(a, -1.0), inner_middle, outer_middle, face_point(a, 1.0), a, a);
+    strip(inner_middle, face_point(b, -1.0), face_point(b, 1.0), outer_middle, b, b);
+  } else {
+    strip(face_point(a, -1.0), face_point(b, -1.0), face_point(b, 1.0), face_point(a, 1.0), a, b);
+  }
+}
+
+}  // namespace
+
+SheetShape::SheetShape(const Snapshot& first, bool is_mirrored) : quads_(first.model->quads) {
+  check_snapshot(first);
+  if (is_mirrored) mirrors_ = first.model->mirrors;
+  reflections_ = calc_reflections(mirrors_);
+  const double tolerance = 1e-6 * calc_bounds(first, {Reflection{}}).diagonal();
+  std::vector<std::vector<bool>> is_on_mirror;
+  for (const Plane& plane : mirrors_) {
+    mirror_nodes_.emplace_back();
+    is_on_mirror.emplace_back(first.points.size(), false);
+    for (std::size_t node = 0; node < first.points.size(); ++node) {
+      if (std::abs(plane.normal.dot(first.points[node] - plane.point)) > tolerance) continue;
+      mirror_nodes_.back().push_back(static_cast<int>(node));
+      is_on_mirror.back()[node] = true;
+    }
+  }
+  // A rim edge belongs to one quad and to no mirror plane. Ordered by node, so
+  // that the drawing does not depend on a hash.
+  std::map<std::pair<int, int>, std::pair<Edge, int>> owners;
+  for (const auto& quad : quads_)
+    for (std::size_t k = 0; k < 4; ++k) {
+      const Edge edge{quad[k], quad[(k + 1) % 4]};
+      ++owners.try_emplace(std::minmax(edge.a, edge.b), edge, 0).first->second.second;
+    }
+  for (const auto& [nodes, owner] : owners) {
+    const Edge edge = owner.first;
+    edges_.push_back(edge);
+    const bool is_inside = std::any_of(is_on_mirror.begin(), is_on_mirror.end(), [&](const auto& is_on) {
+      return is_on[at(edge.a)] && is_on[at(edge.b)];
+    });
+    if (owner.second == 1 && !is_inside) rim_.push_back(edge);
+  }
+}
+
+std::vector<Vec3> SheetShape::calc_normals(const Snapshot& snapshot) const {
+  std::vector<Vec3> normals(snapshot.points.size(), Vec3::Zero());
+  for (const auto& quad : quads_) {
+    const Vec3 d1 = snapshot.points[at(quad[2])] - snapshot.points[at(quad[0])];
+    const Vec3 d2 = snapshot.points[at(quad[3])] - snapshot.points[at(quad[1])];
+    const Vec3 area = d1.cross(d2);
+    for (int node : quad) normals[at(node)] += area;
+  }
+  // Else a crease would show along the seams of the mirrored part.
+  for (std::size_t m = 0; m < mirrors_.size(); ++m) {
+    const Vec3 n = mirrors_[m].normal.normalized();
+    for (int node : mirror_nodes_[m]) normals[at(node)] -= n * n.dot(normals[at(node)]);
+  }
+  for (std::size_t node = 0; node < normals.size(); ++node) {
+    const double length = normals[node].norm();
+    normals[node] = length > 0.0 ? Vec3(normals[node] / length) : snapshot.directors[node];
+  }
+  return normals;
+}
+
+Surface SheetShape::make_wall(const Snapshot& snapshot, const std::optional<NodePaint>& paint) const {
+  check_snapshot(snapshot);
+  if (paint) {
+    const std::size_t given = paint->values.size() + paint->classes.size();
+    require(given == snapshot.points.size() && (paint->values.empty() || paint->classes.empty()),
+            "one colour a node");
+  }
+  WallBuilder builder(snapshot, calc_normals(snapshot), paint ? &*paint : nullptr);
+  builder.add_face(quads_, 1.0);
+  builder.add_face(quads_, -1.0);
+  for (const Edge& edge : rim_) builder.add_rim_quad(edge.a, edge.b);
+  return calc_reflected(builder.take(), reflections_);
+}
+
+LineSet SheetShape::make_rim(const Snapshot& snapshot) const {
+  LineSet piece;
+  for (const Edge& edge : rim_)
+    for (double side : {1.0, -1.0}) {
+      const auto face = [&](int node) -> Vec3 {
+        return snapshot.points[at(node)] +
+               0.5 * side * snapshot.thickness[at(node)] * snapshot.directors[at(node)];
+      };
+      piece.add_line(face(edge.a), face(edge.b));
+    }
+  return calc_reflected(piece, reflections_);
+}
+
+LineSet SheetShape::make_element_edges(const Snapshot& snapshot) const {
+  LineSet piece;
+  const int count = static_cast<int>(snapshot.points.size());
+  for (double side : {1.0, -1.0})
+    for (int node = 0; node < count; ++node)
+      piece.points.push_back((snapshot.points[at(node)] +
+                              0.5 * side * snapshot.thickness[at(node)] * snapshot.directors[at(node)])
+                                 .cast<float>());
+  for (const Edge& edge : edges_) {
+    piece.lines.push_back({edge.a, edge.b});
+    piece.lines.push_back({edge.a + count, edge.b + count});
+  }
+  return calc_reflected(piece, reflections_);
+}
+
+double SheetShape::calc_edge_length(const Snapshot& snapshot) const {
+  double sum = 0.0;
+  for (const Edge& edge : edges_) sum += (snapshot.points[at(edge.b)] - snapshot.points[at(edge.a)]).norm();
+  return edges_.empty() ? 0.0 : sum / static_cast<double>(edges_.size());
+}
+
+Bounds calc_bounds(const Snapshot& snapshot, const std::vector<Reflection>& reflections) {
+  Bounds bounds;
+  for (const Reflection& reflection : reflections)
+    for (const Vec3& x : snapshot.points) bounds.include(reflection.point(x));
+  return bounds;
+}
+
+}  // namespace hydroscope

@@ -1,0 +1,324 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "render/views.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "render/camera.h"
+#include "render/shape/arrows.h"
+#include "render/view_text.h"
+#include "solver/base/error.h"
+
+namespace hydroscope {
+namespace {
+
+std::size_t at(int index) { return static_cast<std::size_t>(index); }
+
+const std::vector<double>& find_field(const std::string& view, const Snapshot& snapshot) {
+  if (view == "thickness") return snapshot.thickness;
+  if (view == "plastic-strain") return snapshot.plastic_strain;
+  if (view == "contact-pressure") return snapshot.contact_pressure;
+  if (view == "gap") return snapshot.gap;
+  throw InputError("view '" + view + "' is unknown; there are " + join(view_names()));
+}
+
+MapName find_map(const std::string& view) {
+  return view == "thickness" || view == "gap" ? MapName::kDusk : MapName::kSea;
+}
+
+std::shared_ptr<const Surface> share(Surface surface) {
+  return std::make_shared<const Surface>(std::move(surface));
+}
+std::shared_ptr<const LineSet> share(LineSet lines) {
+  return std::make_shared<const LineSet>(std::move(lines));
+}
+
+/// The camera need not hold the far ends of tools that are much larger than the sheet.
+Bounds calc_scene_bounds(const Bounds& sheet, const std::vector<const ToolShape*>& tools) {
+  Bounds box = sheet;
+  const Vec3 margin = (0.35 * (sheet.greatest - sheet.least)).cwiseMax(0.05 * sheet.diagonal());
+  const Vec3 least = sheet.least - margin, greatest = sheet.greatest + margin;
+  for (const ToolShape* tool : tools)
+    for (const Reflection& reflection : tool->reflections())
+      for (const Vec3& x : tool->mesh().points)
+        box.include(reflection.point(x).cwiseMax(least).cwiseMin(greatest));
+  if (tools.empty()) {  // a free bulge grows: keep room for it
+    box.include(sheet.least - 0.2 * margin);
+    box.include(sheet.greatest + 0.2 * margin);
+  }
+  return box;
+}
+
+}  // namespace
+
+const std::vector<std::string>& view_names() {
+  static const std::vector<std::string> names{"contact-map",    "tool-normals",     "slip", "thickness",
+                                              "plastic-strain", "contact-pressure", "gap"};
+  return names;
+}
+
+ClassCounts count_classes(const Snapshot& snapshot) {
+  ClassCounts counts;
+  for (ContactClass contact_class : snapshot.contact_state)
+    ++counts.nodes[static_cast<std::size_t>(contact_class)];
+  return counts;
+}
+
+std::vector<std::string> range_names(const std::string& view) {
+  if (view == "contact-map" || view == "tool-normals") return {};
+  if (view == "slip") return {"slip", "slip-increment"};
+  return {view};
+}
+
+Range calc_range(const std::string& name, const Snapshot& snapshot) {
+  Range range{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
+  const auto include = [&range](double value) {
+    if (!std::isfinite(value)) return;
+    range.low = std::min(range.low, value);
+    range.high = std::max(range.high, value);
+  };
+  if (name == "slip" || name == "slip-increment") {
+    include(0.0);
+    for (const Vec3& v : name == "slip" ? snapshot.slip : snapshot.slip_increment) include(v.norm());
+  } else {
+    for (double value : find_field(name, snapshot)) include(value);
+  }
+  return range;
+}
+
+int count_without_value(const std::string& view, const Snapshot& snapshot) {
+  const std::vector<double>& field = find_field(view, snapshot);
+  return static_cast<int>(
+      std::count_if(field.begin(), field.end(), [](double v) { return !std::isfinite(v); }));
+}
+
+Range calc_round_range(const Range& range) {
+  if (!(range.low <= range.high)) return {0.0, 1.0};
+  const double size = std::max(std::abs(range.low), std::abs(range.high));
+  if (size == 0.0) return {0.0, 1.0};
+  double low = range.low, high = range.high;
+  if (high - low < 1e-6 * size) {  // one value all over: a band around it, zero stays the end
+    low -= low == 0.0 ? 0.0 : 1e-3 * size;
+    high += high == 0.0 ? 0.0 : 1e-3 * size;
+  }
+  const double step = calc_round_step((high - low) / 10.0);
+  // A value that is a multiple up to rounding must not open another step.
+  return {step * std::floor(low / step + 1e-9), step * std::ceil(high / step - 1e-9)};
+}
+
+Views::Views(const Snapshot& first, const FrameOptions& options)
+    : options_(options), theme_(hydroscope::theme(options.theme)), sheet_(first, options.is_mirrored) {
+  for (const std::string& view : options.views)
+    if (std::find(view_names().begin(), view_names().end(), view) == view_names().end())
+      throw InputError("view '" + view + "' is unknown; there are " + join(view_names()));
+  const std::vector<Plane> mirrors = options.is_mirrored ? first.model->mirrors : std::vector<Plane>{};
+  for (const SnapshotModel::Tool& tool : first.model->tools) {
+    tools_.emplace_back(ToolShape(tool, mirrors));
+    ToolState& state = tools_.back();
+    const int copies = static_cast<int>(state.shape.reflections().size());
+    const int share_of_arrows =
+        std::max(1, options.most_arrows / copies / static_cast<int>(first.model->tools.size()));
+    state.arrow_nodes = find_spread_points(tool.mesh.points, share_of_arrows);
+    state.arrow_facets = find_spread_points(state.shape.calc_facet_centres(), share_of_arrows);
+    largest_angle_ = std::max(largest_angle_, state.shape.largest_angle());
+  }
+  arrow_nodes_ =
+      find_spread_points(first.points, options.most_arrows / static_cast<int>(sheet_.reflections().size()));
+  const Bounds sheet_bounds = calc_bounds(first, sheet_.reflections());
+  std::vector<const ToolShape*> shapes;
+  for (const ToolState& tool : tools_) shapes.push_back(&tool.shape);
+  bounds_ = options.bounds.value_or(calc_scene_bounds(sheet_bounds, shapes));
+  arrow_size_ = 0.06 * sheet_bounds.diagonal();
+}
+
+void Views::make_normal_arrows(ToolState& tool, const Plane& cut) const {
+  const bool is_cut = options_.is_tool_cut;
+  std::vector<Arrow> nodes, facets;
+  const auto centres = tool.shape.calc_facet_centres();
+  // Reflected here, not as a finished shape: which arrows the cut takes differs from copy to copy.
+  for (const Reflection& reflection : tool.shape.reflections()) {
+    const auto add = [&](std::vector<Arrow>& arrows, const Vec3& x, const Vec3& n) {
+      const Vec3 start = reflection.point(x + tool.translation);
+      if (is_cut && cut.normal.dot(start - cut.point) > 0.0) return;
+      arrows.push_back({.start = start, .span = 0.5 * arrow_size_ * reflection.vector(n)});
+    };
+    for (int node : tool.arrow_nodes)
+      add(nodes, tool.shape.mesh().points[at(node)], tool.shape.normals()[at(node)]);
+    if (!options_.facet_normals) continue;
+    for (int facet : tool.arrow_facets)
+      add(facets, centres[at(facet)], tool.shape.facet_normals()[at(facet)]);
+  }
+  tool.normal_arrows = share(make_arrows(nodes, 0.1 * arrow_size_, {Reflection{}}));
+  tool.facet_arrows = share(make_arrows(facets, 0.1 * arrow_size_, {Reflection{}}));
+}
+
+void Views::update_tools(const Snapshot& snapshot, const Plane& cut) {
+  for (std::size_t i = 0; i < tools_.size(); ++i) {
+    ToolState& tool = tools_[i];
+    const bool has_moved = !(tool.translation == snapshot.tool_translation[i]);
+    const bool has_new_cut = !(tool.cut.normal == cut.normal && tool.cut.point == cut.point);
+    tool.translation = snapshot.tool_translation[i];
+    tool.cut = cut;
+    if (has_moved) {
+      tool.surface = share(tool.shape.make_surface(tool.translation));
+      tool.edges = share(tool.shape.make_edges(tool.translation));
+      tool.facet_edges = share(tool.shape.make_facet_edges(tool.translation));
+    }
+    if (has_moved || has_new_cut) {
+      tool.section = share(options_.is_tool_cut ? tool.shape.make_section(tool.translation, cut) : LineSet{});
+      tool.normal_arrows = nullptr;
+    }
+  }
+}
+
+void Views::add_wall(DrawList& list, const Snapshot& snapshot, const std::optional<NodePaint>& paint) const {
+  list.surfaces.push_back({.surface = share(sheet_.make_wall(snapshot, paint)), .colour = theme_.sheet});
+  if (options_.is_flat) return;
+  list.lines.push_back({.lines = share(sheet_.make_rim(snapshot)), .colour = theme_.line, .width = 1.3});
+  if (options_.element_edges)
+    list.lines.push_back({.lines = share(sheet_.make_element_edges(snapshot)),
+                          .colour = theme_.line,
+                          .width = 0.7,
+                          .opacity = 0.45});
+}
+
+void Views::add_tools(DrawList& list) const {
+  if (options_.is_flat) return;
+  using Faces = SurfaceItem::Faces;
+  // First the walls seen from the sheet's side, then those seen from behind,
+  // which are nearer: so each pixel blends in the right order without sorting.
+  for (const Faces faces : {Faces::kFront, Faces::kBack})
+    for (const ToolState& tool : tools_)
+      list.surfaces.push_back(
+          {.surface = tool.surface,
+           .colour = theme_.tool,
+           .opacity = faces == Faces::kFront ? options_.tool_opacity : 0.5 * options_.tool_opacity,
+           .faces = faces,
+           .is_cut = options_.is_tool_cut});
+  for (const ToolState& tool : tools_) {
+    list.lines.push_back(
+        {.lines = tool.edges, .colour = theme_.tool_line, .width = 1.0, .is_cut = options_.is_tool_cut});
+    list.lines.push_back({.lines = tool.section, .colour = theme_.line, .width = 2.0});
+  }
+}
+
+void Views::draw_contact_map(DrawList& list, const Snapshot& snapshot) const {
+  list.legend.heading = "Contact map";
+  const ClassCounts counts = count_classes(snapshot);
+  for (int c = 0; c < kContactClasses; ++c) {
+    const auto contact_class = static_cast<ContactClass>(c);
+    list.legend.swatches.push_back(
+        {class_colour(contact_class),
+         std::string(class_name(contact_class)) + "  " + std::to_string(counts.nodes[at(c)])});
+  }
+  list.legend.notes.push_back("nodes of the model");
+  add_wall(list, snapshot, NodePaint{.values = {}, .classes = snapshot.contact_state});
+  add_tools(list);
+}
+
+void Views::draw_tool_normals(DrawList& list, const Snapshot& snapshot) const {
+  list.legend.heading = "Tool normals";
+  if (tools_.empty()) {
+    list.legend.notes.push_back("no tools");
+    add_wall(list, snapshot, std::nullopt);
+    return;
+  }
+  const ColourTable& table = colour_table(MapName::kEmber);
+  const Range range = calc_round_range({0.0, largest_angle_});
+  list.legend.bars.push_back({"facet against continuous normal [°]", &table, range});
+  for (const ToolState& tool : tools_) {
+    const bool is_cut = options_.is_tool_cut;
+    list.surfaces.push_back({.surface = tool.surface, .table = &table, .range = range, .is_cut = is_cut});
+    list.surfaces.push_back({.surface = tool.normal_arrows, .colour = class_colour(ContactClass::kStick)});
+    if (options_.facet_normals)
+      list.surfaces.push_back({.surface = tool.facet_arrows, .colour = {0, 158, 115}});
+    if (options_.is_flat) continue;
+    list.lines.push_back(
+        {.lines = tool.facet_edges, .colour = theme_.line, .width = 0.6, .opacity = 0.3, .is_cut = is_cut});
+    list.lines.push_back({.lines = tool.edges, .colour = theme_.line, .width = 1.2, .is_cut = is_cut});
+    list.lines.push_back({.lines = tool.section, .colour = theme_.line, .width = 2.0});
+  }
+  list.legend.swatches.push_back({class_colour(ContactClass::kStick), "continuous normal"});
+  if (options_.facet_normals) list.legend.swatches.push_back({{0, 158, 115}, "facet normal"});
+  if (!options_.is_flat)
+    list.lines.push_back(
+        {.lines = share(sheet_.make_rim(snapshot)), .colour = theme_.faint_text, .width = 1.3});
+}
+
+void Views::draw_slip(DrawList& list, const Snapshot& snapshot,
+                      const std::map<std::string, Range>& ranges) const {
+  list.legend.heading = "Slip";
+  const Range range = ranges.at("slip"), step_range = ranges.at("slip-increment");
+  const ColourTable& table = colour_table(MapName::kEmber);
+  list.legend.bars.push_back({"sliding distance [mm]", &table, range});
+  std::vector<Arrow> accumulated, incremental;
+  const double width = 0.16 * arrow_size_;
+  for (int node : arrow_nodes_) {
+    const std::size_t i = at(node);
+    // On the face that meets the tool: its normal points away from the tool.
+    const double side = snapshot.tool_normal[i].dot(snapshot.directors[i]) > 0.0 ? -1.0 : 1.0;
+    const Vec3 out = side * snapshot.directors[i];
+    const Vec3 start = snapshot.points[i] + (0.5 * snapshot.thickness[i] + 0.3 * width) * out;
+    accumulated.push_back({start, arrow_size_ / range.high * snapshot.slip[i], snapshot.slip[i].norm()});
+    incremental.push_back(
+        {start + 0.5 * width * out, 0.6 * arrow_size_ / step_range.high * snapshot.slip_increment[i]});
+  }
+  add_wall(list, snapshot, std::nullopt);
+  list.surfaces.push_back({.surface = share(make_arrows(accumulated, width, sheet_.reflections())),
+                           .table = &table,
+                           .range = range});
+  list.surfaces.push_back({.surface = share(make_arrows(incremental, 0.5 * width, sheet_.reflections())),
+                           .colour = class_colour(ContactClass::kStick)});
+  add_tools(list);
+  list.legend.swatches.push_back({class_colour(ContactClass::kStick), "last increment"});
+  list.legend.notes.push_back("longest arrows: " + format_number(range.high) + " mm in all,");
+  list.legend.notes.push_back(format_number(step_range.high) + " mm in the increment");
+}
+
+void Views::draw_scalar(DrawList& list, const std::string& view, const Snapshot& snapshot,
+                        const Range& range) const {
+  const ViewText text = find_view_text(view);
+  list.legend.heading = text.heading;
+  const ColourTable& table = colour_table(find_map(view));
+  const std::vector<double>& field = find_field(view, snapshot);
+  list.legend.bars.push_back({text.quantity, &table, range});
+  const int without = count_without_value(view, snapshot);
+  if (without > 0) list.legend.swatches.push_back({kNoValueColour, "no value  " + std::to_string(without)});
+  NodePaint paint{.values = field, .classes = {}};
+  // An infinite value has no place on the map either.
+  for (double& value : paint.values)
+    if (!std::isfinite(value)) value = std::numeric_limits<double>::quiet_NaN();
+  add_wall(list, snapshot, paint);
+  list.surfaces.back().table = &table;
+  list.surfaces.back().range = range;
+  add_tools(list);
+}
+
+DrawList Views::make_draw_list(const std::string& view, const Snapshot& snapshot, const CameraPose& camera,
+                               const std::map<std::string, Range>& ranges) {
+  check_snapshot(snapshot);
+  require(snapshot.tool_translation.size() == tools_.size(), "the tools of a sequence stay the same");
+  for (const std::string& name : range_names(view)) {
+    const auto range = ranges.find(name);
+    if (range == ranges.end() || !(range->second.low < range->second.high))
+      throw ContractError("view '" + view + "' needs a range '" + name + "' that is not empty");
+  }
+  DrawList list;
+  list.cut = calc_cut(options_, camera, bounds_);
+  update_tools(snapshot, *list.cut);
+  if (view == "contact-map") {
+    draw_contact_map(list, snapshot);
+  } else if (view == "tool-normals") {
+    for (ToolState& tool : tools_)
+      if (tool.normal_arrows == nullptr) make_normal_arrows(tool, *list.cut);
+    draw_tool_normals(list, snapshot);
+  } else if (view == "slip") {
+    draw_slip(list, snapshot, ranges);
+  } else {
+    draw_scalar(list, view, snapshot, ranges.at(view));
+  }
+  return list;
+}
+
+}  // namespace hydroscope

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <limits>
+#include <map>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "render/frame_options.h"
+#include "render/shape/tool_shape.h"
+
+namespace hydroscope {
+
+/// Names of all views, for help and checks.
+const std::vector<std::string>& view_names();
+
+/// Modelled nodes (not their mirror images) by class.
+struct ClassCounts {
+  std::array<int, kContactClasses> nodes{};
+};
+ClassCounts count_classes(const Snapshot& snapshot);
+
+/// The ranges a view needs ("slip" needs "slip" and "slip-increment"); none for class views.
+std::vector<std::string> range_names(const std::string& view);
+
+/// Smallest and largest value over one snapshot (NaN left out); low > high if there is none.
+Range calc_range(const std::string& name, const Snapshot& snapshot);
+
+/// Nodes where a scalar view's field is not a number.
+int count_without_value(const std::string& view, const Snapshot& snapshot);
+
+/// Widened to round numbers, never empty; what a legend shows.
+Range calc_round_range(const Range& range);
+
+/// What one sequence draws: turns snapshots into draw lists. Knows no GL.
+class Views {
+ public:
+  Views(const Snapshot& first, const FrameOptions& options);
+
+  /// Throws InputError for an unknown view, ContractError for a missing range.
+  DrawList make_draw_list(const std::string& view, const Snapshot& snapshot, const CameraPose& camera,
+                          const std::map<std::string, Range>& ranges);
+
+  /// What the camera holds: see FrameOptions::bounds.
+  const Bounds& bounds() const { return bounds_; }
+
+ private:
+  struct ToolState {
+    explicit ToolState(ToolShape given) : shape(std::move(given)) {}
+
+    ToolShape shape;
+    Vec3 translation = Vec3::Constant(std::numeric_limits<double>::quiet_NaN());
+    std::shared_ptr<const Surface> surface, normal_arrows, facet_arrows;
+    std::shared_ptr<const LineSet> edges, facet_edges, section;
+    Plane cut;
+    std::vector<int> arrow_nodes, arrow_facets;
+  };
+
+  void update_tools(const Snapshot& snapshot, const Plane& cut);
+  void make_normal_arrows(ToolState& tool, const Plane& cut) const;
+  void add_wall(DrawList& list, const Snapshot& snapshot, const std::optional<NodePaint>& paint) const;
+  void add_tools(DrawList& list) const;
+  void draw_contact_map(DrawList& list, const Snapshot& snapshot) const;
+  void draw_tool_normals(DrawList& list, const Snapshot& snapshot) const;
+  void draw_slip(DrawList& list, const Snapshot& snapshot, const std::map<std::string, Range>& ranges) const;
+  void draw_scalar(DrawList& list, const std::string& view, const Snapshot& snapshot,
+                   const Range& range) const;
+
+  FrameOptions options_;
+  const Theme& theme_;
+  SheetShape sheet_;
+  std::vector<ToolState> tools_;
+  std::vector<int> arrow_nodes_;
+  Bounds bounds_;
+  double arrow_size_ = 0.0;  ///< length of the longest arrow [mm]
+  double largest_angle_ = 0.0;
+};
+
+}  // namespace hydroscope
