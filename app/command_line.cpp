@@ -49,8 +49,8 @@ Number parse_in_range(const std::string& option, const std::string& text, Number
   const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), number);
   const bool is_number = error == std::errc() && stop == text.data() + text.size();
   if (!is_number || number < low || number > high) {
-    throw InputError(option + " " + text + ": " + what + " from " + format_number(low) + " to " +
-                     format_number(high) + " expected");
+    throw InputError(option + " " + text + ": " + what + " from " + format_exact(low) + " to " +
+                     format_exact(high) + " expected");
   }
   return number;
 }

@@ -17,16 +17,16 @@ std::string make_list(const std::string& comma_separated) {
   return "[" + list + "]";
 }
 
-std::string make_size(const std::string& text) {
-  const size_t cross = text.find('x');
-  if (cross == std::string::npos)
-    throw InputError("--size " + text + ": write it as WIDTHxHEIGHT, e.g. --size 1280x720");
-  const int width = parse_whole_number("--size", text.substr(0, cross), 64, 8192);
-  const int height = parse_whole_number("--size", text.substr(cross + 1), 64, 8192);
-  return "[" + std::to_string(width) + ", " + std::to_string(height) + "]";
-}
-
 }  // namespace
+
+std::array<int, 2> parse_size(const std::string& option, const std::string& text) {
+  const size_t cross = text.find('x');
+  if (cross == std::string::npos) {
+    throw InputError(option + " " + text + ": write it as WIDTHxHEIGHT, e.g. " + option + " 1280x720");
+  }
+  return {parse_whole_number(option, text.substr(0, cross), 64, 8192),
+          parse_whole_number(option, text.substr(cross + 1), 64, 8192)};
+}
 
 std::vector<SceneOverride> make_overrides(const Arguments& arguments) {
   std::vector<SceneOverride> overrides;
@@ -38,7 +38,10 @@ std::vector<SceneOverride> make_overrides(const Arguments& arguments) {
     add("--frames", "pick", quote("number"));
     add("--frames", "number", arguments.get("--frames"));
   }
-  if (arguments.has("--size")) add("--size", "size_px", make_size(arguments.get("--size")));
+  if (arguments.has("--size")) {
+    const auto [width, height] = parse_size("--size", arguments.get("--size"));
+    add("--size", "size_px", "[" + std::to_string(width) + ", " + std::to_string(height) + "]");
+  }
   if (arguments.has("--theme")) add("--theme", "theme", quote(arguments.get("--theme")));
   if (arguments.has("--animation")) add("--animation", "animation", quote(arguments.get("--animation")));
   if (arguments.has("--camera")) {

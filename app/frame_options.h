@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "app/command_line.h"
@@ -12,5 +13,8 @@ namespace hydroscope {
 /// scene keys, in the order that lets --set have the last word. Their values are
 /// checked with all others when the scene is read, and kept with the results.
 std::vector<SceneOverride> make_overrides(const Arguments& arguments);
+
+/// "1280x720"; throws InputError naming `option`.
+std::array<int, 2> parse_size(const std::string& option, const std::string& text);
 
 }  // namespace hydroscope

@@ -70,21 +70,37 @@ void Progress::start(double end_time) {
   start_ = last_shown_ = Clock::now();
 }
 
-void Progress::update(const IncrementReport& report) {
+bool Progress::is_due() {
   const auto now = Clock::now();
-  const double elapsed = std::chrono::duration<double>(now - start_).count();
-  const double since = std::chrono::duration<double>(now - last_shown_).count();
+  const auto seconds = [now](Clock::time_point since) {
+    return std::chrono::duration<double>(now - since).count();
+  };
   // A log wants few lines: one every ten seconds, or a minute when the run is long.
-  const double pause = is_terminal_ ? 0.1 : (elapsed < 120.0 ? 10.0 : 60.0);
-  if (since < pause) return;
+  const double pause = is_terminal_ ? 0.1 : (seconds(start_) < 120.0 ? 10.0 : 60.0);
+  if (seconds(last_shown_) < pause) return false;
   last_shown_ = now;
-  if (is_terminal_) {
-    const std::string bar = make_progress_bar(report, end_time_, elapsed, find_columns(stream_));
+  return true;
+}
+
+void Progress::show(const std::string& bar, const std::string& line) {
+  if (is_terminal_)
     std::fprintf(stream_, "\r\033[K%s", bar.c_str());
-  } else {
-    std::fprintf(stream_, "%s\n", make_progress_line(report, end_time_, elapsed).c_str());
-  }
+  else
+    std::fprintf(stream_, "%s\n", line.c_str());
   std::fflush(stream_);
+}
+
+void Progress::update(const IncrementReport& report) {
+  if (!is_due()) return;
+  const double elapsed = std::chrono::duration<double>(last_shown_ - start_).count();
+  show(make_progress_bar(report, end_time_, elapsed, find_columns(stream_)),
+       make_progress_line(report, end_time_, elapsed));
+}
+
+void Progress::update_drawing(int done, int all) {
+  if (!is_due()) return;
+  const std::string line = print("drawing: %d of %d", done, all);
+  show(line, line);
 }
 
 void Progress::note(const std::string& line) {

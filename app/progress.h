@@ -18,6 +18,8 @@ class Progress {
 
   void start(double end_time);  ///< [s] of process time
   void update(const IncrementReport& report);
+  /// Frames that are drawn after the run: `done` of `all`.
+  void update_drawing(int done, int all);
   /// One line that stays, such as a warning.
   void note(const std::string& line);
   /// Clears the bar.
@@ -26,10 +28,14 @@ class Progress {
  private:
   using Clock = std::chrono::steady_clock;
 
+  /// Whether enough time has passed to show something again; notes the time if so.
+  bool is_due();
+  void show(const std::string& bar, const std::string& line);
+
   std::FILE* stream_;
   bool is_terminal_;
   double end_time_ = 0.0;
-  Clock::time_point start_, last_shown_;
+  Clock::time_point start_ = Clock::now(), last_shown_ = start_;
 };
 
 /// "0:07", "1:02:03".

@@ -73,7 +73,7 @@ class Recorder {
     if (!renderer_works_) return;
     try {
       action();
-    } catch (const EnvironmentError& error) {
+    } catch (const std::exception& error) {  // whatever breaks there, the solver's work is not lost
       renderer_works_ = false;
       report_trouble(std::string("frames end here: ") + error.what());
     }
@@ -120,7 +120,7 @@ std::string describe_run(const RecordedRun& run, double end_time) {
   if (!s.message.empty()) text += s.message + "\n";
   if (!s.warnings.empty()) text += std::to_string(s.warnings.size()) + " warnings; see summary.json\n";
   for (size_t i = 0; i < s.quantities.size() && i < s.quantity_names.size(); ++i) {
-    text += "  " + s.quantity_names[i] + " = " + format_number(s.quantities[i]) + "\n";
+    text += "  " + s.quantity_names[i] + " = " + format_exact(s.quantities[i]) + "\n";
   }
   return text;
 }

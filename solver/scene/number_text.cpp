@@ -7,7 +7,7 @@
 
 namespace hydroscope {
 
-std::string format_number(double number) {
+std::string format_exact(double number) {
   std::array<char, 40> text{};
   const double size = std::abs(number);
   // As people write numbers of this size; `general` would turn 100000 into 1e+05.

@@ -6,6 +6,6 @@
 namespace hydroscope {
 
 /// The shortest decimal that reads back as the very same `number`.
-std::string format_number(double number);
+std::string format_exact(double number);
 
 }  // namespace hydroscope

@@ -47,9 +47,9 @@ void check_grading(const GivenKeys& given, const TubeScene& tube) {
   const double low = tube.extent == "half" ? 0.0 : -tube.length / 2;
   for (const auto& [z, size] : tube.grading_along) {
     if (z >= low - 1e-9 && z <= tube.length / 2 + 1e-9) continue;
-    given.fail("tube.grading_along", "z = " + format_number(z) +
-                                         " lies outside the modelled length; allowed: " + format_number(low) +
-                                         " to " + format_number(tube.length / 2));
+    given.fail("tube.grading_along", "z = " + format_exact(z) +
+                                         " lies outside the modelled length; allowed: " + format_exact(low) +
+                                         " to " + format_exact(tube.length / 2));
   }
 }
 
@@ -60,8 +60,8 @@ void check_tube(const GivenKeys& given, TubeScene& tube) {
   const char* key = mid ? "tube.radius_mm" : "tube.outer_radius_mm";
   if (outer) tube.radius = tube.outer_radius - tube.thickness / 2;
   if (tube.thickness >= tube.radius) {
-    given.fail("tube.thickness_mm", format_number(tube.thickness) + " is too thick for a shell of radius " +
-                                        format_number(tube.radius) + " mm (see '" + key + "')");
+    given.fail("tube.thickness_mm", format_exact(tube.thickness) + " is too thick for a shell of radius " +
+                                        format_exact(tube.radius) + " mm (see '" + key + "')");
   }
   if (!outer) tube.outer_radius = tube.radius + tube.thickness / 2;
   if (tube.extent == "slice" && tube.elements_along != 1) {
@@ -89,7 +89,7 @@ void check_strip(const GivenKeys& given, const StripScene& strip) {
   check_part("lead_out_mm", strip.lead_out, "strip.elements_lead_out", strip.elements_lead_out);
   if (strip.arc_angle > 0 && strip.arc_radius <= strip.thickness / 2) {
     given.fail("strip.arc_radius_mm",
-               format_number(strip.arc_radius) + " is out of range; allowed: more than half the thickness");
+               format_exact(strip.arc_radius) + " is out of range; allowed: more than half the thickness");
   }
   if (strip.elements_lead_in + strip.elements_arc + strip.elements_lead_out < 2) {
     given.fail_at("strip", "table [strip]: a mesh of one element cannot bend; take 2 or more");
@@ -103,8 +103,8 @@ void check_material(const GivenKeys& given, const MaterialScene& material) {
       given.fail("material.table", "the first row must stand at plastic strain 0");
     for (size_t i = 1; i < material.table.size(); ++i) {
       if (material.table[i][1] < material.table[i - 1][1]) {
-        given.fail("material.table", "the flow stress falls from " + format_number(material.table[i - 1][1]) +
-                                         " to " + format_number(material.table[i][1]) +
+        given.fail("material.table", "the flow stress falls from " + format_exact(material.table[i - 1][1]) +
+                                         " to " + format_exact(material.table[i][1]) +
                                          " MPa; softening is not modelled");
       }
     }
@@ -158,15 +158,15 @@ void check_tools(const GivenKeys& given, const Scene& scene) {
     if (d[0] == 0.0 && d[1] == 0.0 && d[2] == 0.0)
       given.fail(path + ".direction", "[0, 0, 0] has no direction");
     if (tool.shape == "box" && tool.corner_radius > std::min(tool.half_width, tool.half_height)) {
-      given.fail(path + ".corner_radius_mm", format_number(tool.corner_radius) +
+      given.fail(path + ".corner_radius_mm", format_exact(tool.corner_radius) +
                                                  " is out of range; allowed: 0 to " +
-                                                 format_number(std::min(tool.half_width, tool.half_height)) +
+                                                 format_exact(std::min(tool.half_width, tool.half_height)) +
                                                  " (half of the smaller side)");
     }
     if (tool.shape == "torus" && tool.minor_radius >= tool.radius) {
       given.fail(path + ".minor_radius_mm",
-                 format_number(tool.minor_radius) +
-                     " is out of range; allowed: less than radius_mm = " + format_number(tool.radius));
+                 format_exact(tool.minor_radius) +
+                     " is out of range; allowed: less than radius_mm = " + format_exact(tool.radius));
     }
     if (!tool.motion.empty() && tool.motion.front()[0] < 0.0)
       given.fail(path + ".motion_mm", "times start before 0 s");
@@ -247,8 +247,8 @@ void check_increment(const GivenKeys& given, const Scene& scene) {
   const IncrementScene& increment = scene.increment;
   if (increment.smallest > increment.largest) {
     given.fail(given.has("increment.smallest") ? "increment.smallest" : "increment.largest",
-               "smallest = " + format_number(increment.smallest) +
-                   " is above largest = " + format_number(increment.largest));
+               "smallest = " + format_exact(increment.smallest) +
+                   " is above largest = " + format_exact(increment.largest));
   }
 }
 

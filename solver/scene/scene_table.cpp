@@ -295,8 +295,9 @@ SceneTable make_tool() {
               "How node normals average those of the facets around; `facet` leaves them as they are.")
               .one_of({"facet", "plain", "area", "angle", "max"})
               .when("shape", {"mesh"}),
-          key<&T::crease_angle>("crease_angle_deg", "deg",
-                                "Edges sharper than this are reported, as smoothing hides them.")
+          key<&T::crease_angle>(
+              "crease_angle_deg", "deg",
+              "Normals are not averaged over edges sharper than this; such edges are reported.")
               .in(1, 180)
               .when("shape", {"mesh"}),
           key<&T::flip>("flip", "",

@@ -23,9 +23,9 @@ std::string join(const std::vector<std::string>& items, const std::string& betwe
 }
 
 std::string check_range(double number, const KeyRange& range) {
-  if (!std::isfinite(number)) return format_number(number) + " is not a finite number";
+  if (!std::isfinite(number)) return format_exact(number) + " is not a finite number";
   if (number >= range.low && number <= range.high) return {};
-  return format_number(number) + " is out of range; allowed: " + describe_range(range);
+  return format_exact(number) + " is out of range; allowed: " + describe_range(range);
 }
 
 std::string check_choice(const std::string& text, const std::vector<std::string>& choices) {
@@ -110,8 +110,8 @@ struct Assign {
         if (!fault.empty()) return "row " + format_value(item) + ": " + fault;
       }
       if (!rows.empty() && row[0] <= rows.back()[0]) {
-        return "the first column must increase from row to row, but " + format_number(row[0]) + " follows " +
-               format_number(rows.back()[0]);
+        return "the first column must increase from row to row, but " + format_exact(row[0]) + " follows " +
+               format_exact(rows.back()[0]);
       }
       rows.push_back(row);
     }
@@ -149,7 +149,7 @@ struct Assign {
     const std::string fault = read_rows(rows);
     if (!fault.empty()) return fault;
     if (rows.front()[0] < 0.0)
-      return "times start at " + format_number(rows.front()[0]) + " s; allowed: 0 s or later";
+      return "times start at " + format_exact(rows.front()[0]) + " s; allowed: 0 s or later";
     *to = {};
     for (const auto& [time, level] : rows) {
       to->times.push_back(time);
@@ -212,9 +212,9 @@ struct Format {
     for (const auto& item : items) texts.push_back(Format{}(&item));
     return "[" + join(texts, ", ") + "]";
   }
-  std::string operator()(const double* number) const { return format_number(*number); }
+  std::string operator()(const double* number) const { return format_exact(*number); }
   std::string operator()(const std::optional<double>* number) const {
-    return *number ? format_number(**number) : "";
+    return *number ? format_exact(**number) : "";
   }
   std::string operator()(const int* number) const { return std::to_string(*number); }
   std::string operator()(const bool* flag) const { return *flag ? "true" : "false"; }
@@ -248,9 +248,9 @@ std::string format_slot(const SceneSlot& slot) { return std::visit(Format{}, slo
 
 std::string describe_range(const KeyRange& range) {
   const bool low = std::isfinite(range.low), high = std::isfinite(range.high);
-  if (low && high) return format_number(range.low) + " to " + format_number(range.high);
-  if (low) return "at least " + format_number(range.low);
-  if (high) return "at most " + format_number(range.high);
+  if (low && high) return format_exact(range.low) + " to " + format_exact(range.high);
+  if (low) return "at least " + format_exact(range.low);
+  if (high) return "at most " + format_exact(range.high);
   return {};
 }
 
@@ -262,7 +262,7 @@ std::string format_value(const SourceValue& value) {
   else if (const auto* integer = std::get_if<std::int64_t>(&value.value))
     text = std::to_string(*integer);
   else if (const auto* number = std::get_if<double>(&value.value))
-    text = format_number(*number);
+    text = format_exact(*number);
   else if (const auto* words = std::get_if<std::string>(&value.value))
     text = quote(*words);
   else if (const auto* other = std::get_if<SourceValue::Other>(&value.value))

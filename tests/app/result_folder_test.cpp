@@ -55,7 +55,7 @@ TEST(ResultFolder, FullFolderIsRefusedAndTold) {
 TEST(ResultFolder, ForceRemovesOursAndNothingElse) {
   const TemporaryFolder folder;
   const std::vector<std::string> ours = {"summary.json",           "history.csv",
-                                         "events.csv.part",        "states/00003.vtp",
+                                         ".events.csv.part",       "states/00003.vtp",
                                          "tools/die.vtp",          "frames/contact-map/00001.png",
                                          "frames/slip/00001.json", "frames/slip.webp"};
   const std::vector<std::string> foreign = {"notes.txt", "states/mine.vtp", "frames/slip/best.png",
@@ -73,6 +73,19 @@ TEST(ResultFolder, WhatCannotBeWrittenIsBadInput) {
   EXPECT_THAT(error_of(folder.path() / "file", true), HasSubstr("is a file"));
   EXPECT_THAT(error_of(folder.path() / "file/below", true), HasSubstr("cannot be written: Not a directory"));
   EXPECT_THAT(error_of("/proc/hydroscope", false), HasSubstr("-o /proc/hydroscope: cannot be written"));
+}
+
+TEST(ResultFolder, FramesOfAViewAreRemoved) {
+  const TemporaryFolder folder;
+  const std::vector<std::string> gone = {"frames/slip/00001.png", "frames/slip/.00002.png.part",
+                                         "frames/slip.webp"};
+  const std::vector<std::string> kept = {"frames/gap/00001.png", "frames/gap.mp4", "frames/slip/best.png",
+                                         "summary.json"};
+  for (const auto& name : gone) put(folder.path() / name);
+  for (const auto& name : kept) put(folder.path() / name);
+  remove_frames({folder.path()}, {"slip", "thickness"});
+  for (const auto& name : gone) EXPECT_FALSE(fs::exists(folder.path() / name)) << name;
+  for (const auto& name : kept) EXPECT_TRUE(fs::exists(folder.path() / name)) << name;
 }
 
 TEST(ResultFolder, StatesInOrder) {

@@ -82,7 +82,7 @@ TEST(SceneOverride, EveryDefaultSurvivesTheRoundTrip) {
 
 TEST(SceneOverride, NumbersSurviveToTheLastBit) {
   for (const double number : {0.1, 1.0 / 3.0, 6.02214076e-9, 9.999999999999999}) {
-    EXPECT_EQ(read(kTube, {"tool.die.friction=" + format_number(number)}).tools.at("die").friction, number);
+    EXPECT_EQ(read(kTube, {"tool.die.friction=" + format_exact(number)}).tools.at("die").friction, number);
   }
 }
 

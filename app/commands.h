@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/command_line.h"
+#include "app/exit_code.h"
+
+namespace hydroscope {
+
+// One function a command. They throw InputError, EnvironmentError and ContractError;
+// main() turns these into messages and exit codes.
+
+/// Solves a scene and records it.
+ExitCode run_scene(const Arguments& arguments);
+/// Draws saved states again.
+ExitCode render_results(const Arguments& arguments);
+/// Reports on a tool mesh and draws it.
+ExitCode inspect_tool(const Arguments& arguments);
+
+}  // namespace hydroscope

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/record_run.h"
+#include "solver/scene/scene.h"
+
+namespace hydroscope {
+
+/// Draws a test picture; throws EnvironmentError when frames cannot be drawn here.
+void check_renderer();
+
+/// Frames of a run, or of its saved states.
+struct FrameJob {
+  FramesScene frames;
+  ResultFolder folder;         ///< frames go to its `frames/`
+  int expected_frames = 0;     ///< of each view, for the turn of an orbit
+  int rasteriser_threads = 1;  ///< one while the solver needs the cores
+};
+
+/// Draws on a thread of its own. Says on `progress` how the views that wait for the last
+/// state are getting on.
+FrameSink make_frame_sink(const FrameJob& job, Progress& progress);
+
+/// Frames that a run of this scene will show.
+int estimate_frames(const Scene& scene);
+
+}  // namespace hydroscope
