@@ -17,20 +17,26 @@ double calc_series(double q, int n) {
   return std::abs(q - 1.0) < 1e-12 ? n : (std::pow(q, n) - 1.0) / (q - 1.0);
 }
 
+double calc_distance(const TriangleMesh& mesh, int p, int q) {
+  return (mesh.points[static_cast<std::size_t>(p)] - mesh.points[static_cast<std::size_t>(q)]).norm();
+}
+
 }  // namespace
 
-TriangleMesh make_grid_mesh(int columns, int rows, const std::function<Vec3(int, int)>& point) {
+TriangleMesh make_grid_mesh(int columns, int rows, const std::function<Vec3(int, int)>& point,
+                            const std::function<bool(int, int)>& rises) {
   require(columns > 1 && rows > 1, "a grid needs at least two points each way");
   TriangleMesh mesh;
   std::map<std::array<double, 3>, int> known;
-  std::vector<int> id(static_cast<std::size_t>(columns * rows));
+  std::vector<int> ids(static_cast<std::size_t>(columns * rows));
+  const auto id = [&](int i, int j) -> int& { return ids[static_cast<std::size_t>(j * columns + i)]; };
   for (int j = 0; j < rows; ++j) {
     for (int i = 0; i < columns; ++i) {
       const Vec3 p = point(i, j);
       const auto [slot, is_new] =
           known.try_emplace({p.x(), p.y(), p.z()}, static_cast<int>(mesh.points.size()));
       if (is_new) mesh.points.push_back(p);
-      id[static_cast<std::size_t>(j * columns + i)] = slot->second;
+      id(i, j) = slot->second;
     }
   }
   const auto add = [&](int a, int b, int c) {
@@ -38,15 +44,11 @@ TriangleMesh make_grid_mesh(int columns, int rows, const std::function<Vec3(int,
   };
   for (int j = 0; j + 1 < rows; ++j) {
     for (int i = 0; i + 1 < columns; ++i) {
-      const int a = id[static_cast<std::size_t>(j * columns + i)];
-      const int b = id[static_cast<std::size_t>(j * columns + i + 1)];
-      const int c = id[static_cast<std::size_t>((j + 1) * columns + i + 1)];
-      const int d = id[static_cast<std::size_t>((j + 1) * columns + i)];
-      const auto length2 = [&](int p, int q) {
-        return (mesh.points[static_cast<std::size_t>(p)] - mesh.points[static_cast<std::size_t>(q)])
-            .squaredNorm();
-      };
-      if (length2(a, c) <= length2(b, d)) {
+      const int a = id(i, j), b = id(i + 1, j), c = id(i + 1, j + 1), d = id(i, j + 1);
+      const double rising = calc_distance(mesh, a, c);
+      const double falling = calc_distance(mesh, b, d);
+      const bool is_tie = std::abs(rising - falling) < 1e-9 * rising;
+      if (is_tie ? !rises || rises(i, j) : rising < falling) {
         add(a, b, c);
         add(a, c, d);
       } else {

@@ -57,13 +57,17 @@ std::shared_ptr<const ToolSurface> make_box(const ToolScene& scene, const std::s
 
 }  // namespace
 
-TriangleMesh make_tool_mesh(const ToolScene& scene, const std::string& name,
-                            const std::string& scene_directory) {
+std::string find_tool_file(const ToolScene& scene, const std::string& name,
+                           const std::string& scene_directory) {
   check(!scene.file.empty(), name, "a mesh needs a file (STL, OBJ or PLY)");
   const std::filesystem::path file(scene.file);
-  const std::filesystem::path path =
-      file.is_absolute() || scene_directory.empty() ? file : std::filesystem::path(scene_directory) / file;
-  TriangleMesh mesh = read_tool_mesh(path.string(), scene.unit_scale).mesh;
+  if (file.is_absolute() || scene_directory.empty()) return file.string();
+  return (std::filesystem::path(scene_directory) / file).string();
+}
+
+TriangleMesh make_tool_mesh(const ToolScene& scene, const std::string& name,
+                            const std::string& scene_directory) {
+  TriangleMesh mesh = read_tool_mesh(find_tool_file(scene, name, scene_directory), scene.unit_scale).mesh;
   orient_consistently(mesh);
   if (scene.flip) flip_mesh(mesh);
   place_mesh(make_pose(scene.rotation, scene.position), mesh);

@@ -10,6 +10,10 @@
 
 namespace hydroscope {
 
+/// Path of a mesh tool's file. Throws InputError when none is given.
+std::string find_tool_file(const ToolScene& scene, const std::string& name,
+                           const std::string& scene_directory);
+
 /// A tool's mesh as placed: read, oriented alike, flipped on request, turned and moved.
 /// `name`: of the tool, for messages; `scene_directory`: relative files start there.
 TriangleMesh make_tool_mesh(const ToolScene& scene, const std::string& name,
