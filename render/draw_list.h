@@ -26,7 +26,7 @@ struct SurfaceItem {
   std::shared_ptr<const Surface> surface;
   Rgb colour{255, 255, 255};           ///< where the surface has neither values nor colours
   const ColourTable* table = nullptr;  ///< for the surface's values
-  Range range{};  ///< of the values
+  Range range{};                       ///< of the values
   double opacity = 1.0;
   enum class Faces { kAll, kFront, kBack } faces = Faces::kAll;
   bool is_cut = false;  ///< by the draw list's cut

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "render/camera.h"
+#include "render/image/canvas.h"
 #include "render/json_text.h"
 #include "render/overlay.h"
 #include "render/view_text.h"
@@ -93,6 +94,7 @@ std::string make_sidecar(const std::string& view, const Snapshot& snapshot, Fram
   json.add("mirrored", options.is_mirrored && !snapshot.model->mirrors.empty());
   json.add("size_px", std::vector<double>{1.0 * options.size[0], 1.0 * options.size[1]});
   json.add("theme", options.theme);
+  json.add("font", lettering_font());
   json.add("renderer", renderer.renderer);
   json.add("opengl", renderer.version);
   json.add("hydroscope", HYDROSCOPE_VERSION);

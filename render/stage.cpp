@@ -71,9 +71,9 @@ void add_light(vtkRenderer& renderer, const Vec3& place, double intensity, const
 void set_up_light(vtkRenderer& renderer) {
   renderer.AutomaticLightCreationOff();
   renderer.RemoveAllLights();
-  add_light(renderer, {-0.55, 0.75, 0.9}, 0.74, {1.0, 0.99, 0.97});  // key, from the upper left
-  add_light(renderer, {0.9, 0.1, 0.75}, 0.30, {0.96, 0.98, 1.0});    // fill, from the right
-  add_light(renderer, {0.2, -0.8, 0.45}, 0.16, {0.95, 0.97, 1.0});   // from below, keeps undersides readable
+  add_light(renderer, {-0.4, 0.6, 1.0}, 0.74, {1.0, 0.99, 0.97});   // key, from the upper left
+  add_light(renderer, {0.9, 0.1, 0.6}, 0.38, {0.96, 0.98, 1.0});    // fill, from the right
+  add_light(renderer, {0.2, -0.8, 0.45}, 0.14, {0.95, 0.97, 1.0});  // from below, keeps undersides readable
 }
 
 }  // namespace
@@ -151,8 +151,8 @@ void Stage::Impl::show_surface(Layer& layer, const SurfaceItem& item, Scene& sce
   property.SetBackfaceCulling(item.faces == SurfaceItem::Faces::kFront);
   property.SetLighting(!options.is_flat);
   property.SetInterpolationToPhong();
-  property.SetAmbient(0.06);
-  property.SetDiffuse(0.94);
+  property.SetAmbient(0.26);
+  property.SetDiffuse(0.8);
   property.SetSpecular(0.16);
   property.SetSpecularPower(28.0);
   set_cut(layer, item.is_cut, scene);

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "render/tool_picture.h"
 
+#include <algorithm>
+#include <cmath>
 #include <memory>
+#include <numbers>
 #include <utility>
 
 #include "render/camera.h"
@@ -31,6 +34,24 @@ Surface calc_selected(const Surface& all, const std::vector<bool>& is_highlighte
   return selected;
 }
 
+/// The azimuth, of four around the wished one, from which most of the working side is seen.
+double find_azimuth(const ToolShape& shape, const ToolPictureOptions& options) {
+  double best = options.azimuth, most = -1.0;
+  for (double turn : {0.0, 90.0, 180.0, 270.0}) {
+    const double a = (options.azimuth + turn) * std::numbers::pi / 180.0;
+    const double e = options.elevation * std::numbers::pi / 180.0;
+    const Vec3 direction(std::cos(a) * std::cos(e), std::sin(e), std::sin(a) * std::cos(e));
+    double seen = 0.0;
+    for (std::size_t f = 0; f < shape.facet_normals().size(); ++f)
+      seen += std::max(0.0, shape.calc_facet_area(f) * shape.facet_normals()[f].dot(direction));
+    if (seen > most * (1.0 + 1e-6)) {
+      most = seen;
+      best = options.azimuth + turn;
+    }
+  }
+  return best;
+}
+
 DrawList make_tool_list(const ToolShape& shape, const std::vector<int>& highlighted_facets,
                         const Bounds& bounds, const Theme& colours) {
   std::vector<bool> is_highlighted(shape.mesh().triangles.size(), false);
@@ -50,17 +71,20 @@ DrawList make_tool_list(const ToolShape& shape, const std::vector<int>& highligh
   }
   const auto share = [](auto value) { return std::make_shared<const decltype(value)>(std::move(value)); };
   DrawList list;
+  const auto plain = share(calc_selected(all, is_highlighted, false));
+  // Walls seen from behind are ghosts, so that one can look into a closed die.
   list.surfaces = {
-      {.surface = share(calc_selected(all, is_highlighted, false)), .table = &table, .range = range},
+      {.surface = plain, .table = &table, .range = range, .faces = SurfaceItem::Faces::kFront},
       {.surface = share(calc_selected(all, is_highlighted, true)), .colour = kHighlight},
-      {.surface = share(make_arrows(arrows, 0.2 * size, {Reflection{}})), .colour = kNormal}};
+      {.surface = share(make_arrows(arrows, 0.2 * size, {Reflection{}})), .colour = kNormal},
+      {.surface = plain, .colour = colours.tool, .opacity = 0.16, .faces = SurfaceItem::Faces::kBack}};
   list.lines = {{.lines = share(shape.make_facet_edges(Vec3::Zero())),
                  .colour = colours.line,
                  .width = 0.6,
                  .opacity = 0.35},
                 {.lines = share(shape.make_edges(Vec3::Zero())), .colour = colours.line, .width = 1.6}};
   list.legend.heading = "Tool";
-  list.legend.bars = {{"facet against continuous normal [°]", &table, range}};
+  list.legend.bars = {{"normal angle [°]", &table, range}};
   list.legend.swatches = {{kNormal, "continuous normal"}};
   if (!highlighted_facets.empty())
     list.legend.swatches.push_back(
@@ -80,7 +104,7 @@ void render_tool_picture(const TriangleMesh& mesh, const std::vector<Vec3>& norm
   require(!mesh.points.empty(), "a tool has points");
   FrameOptions view;
   view.size = options.size;
-  view.azimuth = options.azimuth;
+  view.azimuth = find_azimuth(shape, options);
   view.elevation = options.elevation;
   const CameraPose camera = calc_camera(view, bounds, std::nullopt, 0, 1);
   DrawList list = make_tool_list(shape, highlighted_facets, bounds, colours);

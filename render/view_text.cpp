@@ -8,7 +8,7 @@ namespace hydroscope {
 
 ViewText find_view_text(const std::string& view) {
   if (view == "contact-map") return {"Contact map", "contact class"};
-  if (view == "tool-normals") return {"Tool normals", "facet against continuous normal [°]"};
+  if (view == "tool-normals") return {"Tool normals", "normal angle [°]"};
   if (view == "slip") return {"Slip", "sliding distance [mm]"};
   if (view == "thickness") return {"Wall thickness", "wall thickness [mm]"};
   if (view == "plastic-strain") return {"Equivalent plastic strain", "plastic strain [-]"};

@@ -129,7 +129,7 @@ Views::Views(const Snapshot& first, const FrameOptions& options)
   std::vector<const ToolShape*> shapes;
   for (const ToolState& tool : tools_) shapes.push_back(&tool.shape);
   bounds_ = options.bounds.value_or(calc_scene_bounds(sheet_bounds, shapes));
-  arrow_size_ = 0.06 * sheet_bounds.diagonal();
+  arrow_size_ = 0.05 * sheet_bounds.diagonal();
 }
 
 void Views::make_normal_arrows(ToolState& tool, const Plane& cut) const {
@@ -161,12 +161,15 @@ void Views::update_tools(const Snapshot& snapshot, const Plane& cut) {
     tool.translation = snapshot.tool_translation[i];
     tool.cut = cut;
     if (has_moved) {
-      tool.surface = share(tool.shape.make_surface(tool.translation));
+      tool.surface = share(tool.shape.make_surface(tool.translation, 2e-3 * bounds_.diagonal()));
       tool.edges = share(tool.shape.make_edges(tool.translation));
       tool.facet_edges = share(tool.shape.make_facet_edges(tool.translation));
     }
     if (has_moved || has_new_cut) {
-      tool.section = share(options_.is_tool_cut ? tool.shape.make_section(tool.translation, cut) : LineSet{});
+      // Just behind the cut: on a plane of symmetry the mesh's own edges would only graze it.
+      const Plane behind{cut.point - 1e-4 * bounds_.diagonal() * cut.normal, cut.normal};
+      tool.section =
+          share(options_.is_tool_cut ? tool.shape.make_section(tool.translation, behind) : LineSet{});
       tool.normal_arrows = nullptr;
     }
   }
@@ -226,7 +229,8 @@ void Views::draw_tool_normals(DrawList& list, const Snapshot& snapshot) const {
   }
   const ColourTable& table = colour_table(MapName::kEmber);
   const Range range = calc_round_range({0.0, largest_angle_});
-  list.legend.bars.push_back({"facet against continuous normal [°]", &table, range});
+  list.legend.bars.push_back({"normal angle [°]", &table, range});
+  list.legend.notes = {"angle between facet", "and continuous normal"};
   for (const ToolState& tool : tools_) {
     const bool is_cut = options_.is_tool_cut;
     list.surfaces.push_back({.surface = tool.surface, .table = &table, .range = range, .is_cut = is_cut});
@@ -253,7 +257,7 @@ void Views::draw_slip(DrawList& list, const Snapshot& snapshot,
   const ColourTable& table = colour_table(MapName::kEmber);
   list.legend.bars.push_back({"sliding distance [mm]", &table, range});
   std::vector<Arrow> accumulated, incremental;
-  const double width = 0.16 * arrow_size_;
+  const double width = 0.2 * arrow_size_;
   for (int node : arrow_nodes_) {
     const std::size_t i = at(node);
     // On the face that meets the tool: its normal points away from the tool.
@@ -261,14 +265,15 @@ void Views::draw_slip(DrawList& list, const Snapshot& snapshot,
     const Vec3 out = side * snapshot.directors[i];
     const Vec3 start = snapshot.points[i] + (0.5 * snapshot.thickness[i] + 0.3 * width) * out;
     accumulated.push_back({start, arrow_size_ / range.high * snapshot.slip[i], snapshot.slip[i].norm()});
-    incremental.push_back(
-        {start + 0.5 * width * out, 0.6 * arrow_size_ / step_range.high * snapshot.slip_increment[i]});
+    // Beside the other arrow, which mostly points the same way.
+    const Vec3 beside = width * out.cross(snapshot.slip_increment[i]).normalized();
+    incremental.push_back({start + beside, 0.6 * arrow_size_ / step_range.high * snapshot.slip_increment[i]});
   }
   add_wall(list, snapshot, std::nullopt);
   list.surfaces.push_back({.surface = share(make_arrows(accumulated, width, sheet_.reflections())),
                            .table = &table,
                            .range = range});
-  list.surfaces.push_back({.surface = share(make_arrows(incremental, 0.5 * width, sheet_.reflections())),
+  list.surfaces.push_back({.surface = share(make_arrows(incremental, 0.7 * width, sheet_.reflections())),
                            .colour = class_colour(ContactClass::kStick)});
   add_tools(list);
   list.legend.swatches.push_back({class_colour(ContactClass::kStick), "last increment"});

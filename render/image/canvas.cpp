@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <map>
 #include <mutex>
 #include <tuple>
@@ -17,6 +18,16 @@
 
 namespace hydroscope {
 namespace {
+
+// Debian's VTK carries URW Gothic alone, whose brackets and figures are hard to
+// read; DejaVu comes with fontconfig and so with VTK itself.
+constexpr const char* kFont = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf";
+constexpr const char* kBoldFont = "/usr/share/fonts/truetype/dejavu/DejaVuSans-Bold.ttf";
+
+bool has_fonts() {
+  static const bool has = std::filesystem::exists(kFont) && std::filesystem::exists(kBoldFont);
+  return has;
+}
 
 /// Coverage of the letters' pixels, 0..255, first row on top.
 struct Lettering {
@@ -28,9 +39,13 @@ Lettering draw_letters(const std::string& words, int size, bool is_bold) {
   vtkTextRenderer* renderer = vtkTextRenderer::GetInstance();
   if (renderer == nullptr) throw EnvironmentError("VTK has no text renderer (vtkRenderingFreeType)");
   const vtkNew<vtkTextProperty> property;
-  property->SetFontFamilyToArial();  // comes with VTK: the same letters on every machine
+  property->SetFontFamilyToArial();
+  if (has_fonts()) {
+    property->SetFontFamily(VTK_FONT_FILE);
+    property->SetFontFile(is_bold ? kBoldFont : kFont);
+  }
   property->SetFontSize(size);
-  property->SetBold(is_bold);
+  property->SetBold(is_bold && !has_fonts());
   property->SetColor(1.0, 1.0, 1.0);
   const vtkNew<vtkImageData> image;
   int used[2] = {0, 0};
@@ -58,6 +73,8 @@ const Lettering& find_letters(const std::string& words, int size, bool is_bold) 
 }
 
 }  // namespace
+
+std::string lettering_font() { return has_fonts() ? "DejaVu Sans" : "URW Gothic (built into VTK)"; }
 
 void Canvas::blend(int x, int y, Rgb colour, double opacity) {
   if (x < 0 || y < 0 || x >= image_.width || y >= image_.height || opacity <= 0.0) return;

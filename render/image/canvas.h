@@ -7,6 +7,9 @@
 
 namespace hydroscope {
 
+/// The font of all lettering: "DejaVu Sans", or VTK's own where that is not installed.
+std::string lettering_font();
+
 /// Draws lettering and flat shapes over a picture, without OpenGL: the same
 /// bits whatever renderer drew what lies below. Positions in pixels from the top left.
 class Canvas {

@@ -178,7 +178,8 @@ Surface SheetShape::make_wall(const Snapshot& snapshot, const std::optional<Node
     require(given == snapshot.points.size() && (paint->values.empty() || paint->classes.empty()),
             "one colour a node");
   }
-  WallBuilder builder(snapshot, calc_normals(snapshot), paint ? &*paint : nullptr);
+  const std::vector<Vec3> normals = calc_normals(snapshot);
+  WallBuilder builder(snapshot, normals, paint ? &*paint : nullptr);
   builder.add_face(quads_, 1.0);
   builder.add_face(quads_, -1.0);
   for (const Edge& edge : rim_) builder.add_rim_quad(edge.a, edge.b);

@@ -36,17 +36,26 @@ ToolShape::ToolShape(const SnapshotModel::Tool& tool, const std::vector<Plane>& 
       if (point < 0 || at(point) >= mesh_.points.size())
         throw ContractError("tool '" + tool.name + "': a facet names a point that is not there");
   const double size = mesh_.points.empty() ? 0.0 : calc_mesh_bounds(mesh_).diagonal();
-  reflections_ = calc_reflections(find_open_mirrors(mirrors, mesh_.points, 1e-4 * size));
+  const std::vector<Plane> open_mirrors = find_open_mirrors(mirrors, mesh_.points, 1e-4 * size);
+  reflections_ = calc_reflections(open_mirrors);
   for (const auto& facet : mesh_.triangles) {
     const Vec3& x0 = mesh_.points[at(facet[0])];
     const Vec3 area = (mesh_.points[at(facet[1])] - x0).cross(mesh_.points[at(facet[2])] - x0);
     facet_normals_.push_back(area.norm() > 0.0 ? Vec3(area.normalized()) : normals_[at(facet[0])]);
   }
   for (double angle : calc_facet_angles()) largest_angle_ = std::max(largest_angle_, angle);
-  find_edges();
+  find_edges(open_mirrors, 1e-4 * size);
 }
 
-void ToolShape::find_edges() {
+void ToolShape::find_edges(const std::vector<Plane>& seams, double tolerance) {
+  const auto is_on_seam = [&](int a, int b) {
+    return std::any_of(seams.begin(), seams.end(), [&](const Plane& plane) {
+      const auto distance = [&](int i) {
+        return std::abs(plane.normal.dot(mesh_.points[at(i)] - plane.point));
+      };
+      return distance(a) < tolerance && distance(b) < tolerance;
+    });
+  };
   std::map<std::pair<int, int>, std::vector<std::size_t>> owners;
   for (std::size_t f = 0; f < mesh_.triangles.size(); ++f)
     for (std::size_t k = 0; k < 3; ++k)
@@ -55,7 +64,8 @@ void ToolShape::find_edges() {
     edges_.push_back({nodes.first, nodes.second});
     const bool is_sharp =
         facets.size() != 2 || calc_angle(facet_normals_[facets[0]], facet_normals_[facets[1]]) > kCrease;
-    if (is_sharp) sharp_edges_.push_back(edges_.back());
+    // A seam between two mirrored copies is no edge of the tool.
+    if (is_sharp && !is_on_seam(nodes.first, nodes.second)) sharp_edges_.push_back(edges_.back());
   }
 }
 
@@ -78,14 +88,19 @@ std::vector<Vec3> ToolShape::calc_facet_centres() const {
   return centres;
 }
 
-Surface ToolShape::make_surface(const Vec3& translation) const {
+double ToolShape::calc_facet_area(std::size_t facet) const {
+  const auto x = [&](std::size_t k) { return mesh_.points[at(mesh_.triangles[facet][k])]; };
+  return 0.5 * (x(1) - x(0)).cross(x(2) - x(0)).norm();
+}
+
+Surface ToolShape::make_surface(const Vec3& translation, double set_back) const {
   Surface piece;
   for (std::size_t f = 0; f < mesh_.triangles.size(); ++f) {
     std::array<int, 4> polygon{-1, -1, -1, -1};
     for (std::size_t k = 0; k < 3; ++k) {
       const std::size_t point = at(mesh_.triangles[f][k]);
       const double angle = corner_angle(f, k);
-      polygon[k] = piece.add_point(mesh_.points[point] + translation,
+      polygon[k] = piece.add_point(mesh_.points[point] + translation - set_back * normals_[point],
                                    angle > kCrease ? facet_normals_[f] : normals_[point]);
       piece.values.push_back(static_cast<float>(angle));
     }

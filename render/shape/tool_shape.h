@@ -20,7 +20,9 @@ class ToolShape {
   /// Facets with one vertex a corner. `values` = angle between the facet's
   /// normal and the continuous normal at the corner [deg]. The light follows the
   /// continuous normal, but the facet's own beside edges sharper than `kCrease`.
-  Surface make_surface(const Vec3& translation) const;
+  /// `set_back` [mm] moves the drawn facets into the tool, against their normals:
+  /// else a sheet that lies on them would shine through in stripes.
+  Surface make_surface(const Vec3& translation, double set_back = 0.0) const;
 
   /// Open edges and edges sharper than `kCrease`.
   LineSet make_edges(const Vec3& translation) const;
@@ -34,6 +36,7 @@ class ToolShape {
   /// Centre and unit normal of each facet, in the tool's frame (no reflections).
   const std::vector<Vec3>& facet_normals() const { return facet_normals_; }
   std::vector<Vec3> calc_facet_centres() const;
+  double calc_facet_area(std::size_t facet) const;  ///< [mm^2]
 
   /// Largest angle between a facet normal and the continuous normal [deg].
   double largest_angle() const { return largest_angle_; }
@@ -47,7 +50,7 @@ class ToolShape {
 
  private:
   double corner_angle(std::size_t facet, std::size_t corner) const;
-  void find_edges();
+  void find_edges(const std::vector<Plane>& seams, double tolerance);
 
   TriangleMesh mesh_;
   std::vector<Vec3> normals_;
