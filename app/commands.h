@@ -14,6 +14,6 @@ ExitCode run_scene(const Arguments& arguments);
 /// Draws saved states again.
 ExitCode render_results(const Arguments& arguments);
 /// Reports on a tool mesh and draws it.
-ExitCode inspect_tool(const Arguments& arguments);
+ExitCode inspect_tool_mesh(const Arguments& arguments);
 
 }  // namespace hydroscope

@@ -9,6 +9,7 @@
 #include "app/interrupt.h"
 #include "app/record_run.h"
 #include "solver/base/error.h"
+#include "solver/import/tool_report.h"
 #include "solver/scene/scene_reader.h"
 
 namespace hydroscope {
@@ -21,16 +22,6 @@ int find_threads(const Arguments& arguments) {
   return std::clamp(static_cast<int>(std::thread::hardware_concurrency()), 1, 8);
 }
 
-RunRecord make_record(const Scene& scene, const std::vector<SceneOverride>& overrides, int threads) {
-  RunRecord record;
-  record.scene_file = scene.file;
-  record.scene_text = read_whole_file(scene.file);
-  for (const SceneOverride& item : overrides) record.overrides.push_back(item.key + "=" + item.value);
-  record.threads = threads;
-  record.end_time = scene.end_time();
-  return record;
-}
-
 /// The mesh is known now, so that the node can be checked before anything is written.
 void check_look_at_node(const Scene& scene, const SnapshotModel& model) {
   if (scene.frames.camera != "look-at") return;
@@ -41,6 +32,30 @@ void check_look_at_node(const Scene& scene, const SnapshotModel& model) {
                      ": key 'frames.look_at_node': " + std::to_string(scene.frames.look_at_node) +
                      " is out of range; allowed: 0 to " + std::to_string(last) + " (the nodes of the sheet)");
   }
+}
+
+/// Health of the tool meshes, said before the run: a poor mesh spoils a good scene.
+std::map<std::string, std::string> inspect_tools(const Scene& scene) {
+  std::map<std::string, std::string> texts;
+  for (const auto& [name, tool] : scene.tools) {
+    if (tool.shape != "mesh") continue;
+    const ToolReport report = inspect_tool(tool, name, scene.directory, {});
+    if (!report.errors.empty()) throw InputError(scene.file + ": " + report.errors.front());
+    for (const std::string& warning : report.warnings) std::fprintf(stderr, "warning: %s\n", warning.c_str());
+    texts[name] = format_tool_report(report);
+  }
+  return texts;
+}
+
+RunRecord make_record(const Scene& scene, const std::vector<SceneOverride>& overrides, int threads) {
+  RunRecord record;
+  record.tool_reports = inspect_tools(scene);
+  record.scene_file = scene.file;
+  record.scene_text = read_whole_file(scene.file);
+  for (const SceneOverride& item : overrides) record.overrides.push_back(item.key + "=" + item.value);
+  record.threads = threads;
+  record.end_time = scene.end_time();
+  return record;
 }
 
 void describe_results(const ResultFolder& folder, const RecordedRun& run, const Scene& scene,
@@ -76,10 +91,11 @@ ExitCode run_scene(const Arguments& arguments) {
   const bool has_frames = !arguments.has("--no-frames") && !scene.frames.views.empty();
   check_look_at_node(scene, run.snapshot_model());
   if (has_frames) check_renderer();
+  const RunRecord record = make_record(scene, overrides, threads);
 
   // All input is accepted: from here on there is a folder.
   const ResultFolder folder = make_result_folder(output, force);
-  RunWriter writer(folder, make_record(scene, overrides, threads), run.snapshot_model(),
+  RunWriter writer(folder, record, run.snapshot_model(),
                    run.quantity_names());
   Progress progress(stderr);
   FrameSink frames;

@@ -146,7 +146,7 @@ v 10 10 0
 v 0 10 0
 f 1 2 3 4
 EOF
-expect 0 "2 triangles" tool "$work/tool.obj"
+expect 0 "2 facets, 4 points" tool "$work/tool.obj"
 expect 0 "picture:" tool "$work/tool.obj" -o "$work/tool.png" --size 200x150
 present "$work/tool.png"
 expect 2 "text.stl" tool "$work/text.stl"

@@ -43,7 +43,7 @@ class RecordRun : public testing::Test {
 
   RecordedRun record(int increments, Outcome outcome, const FrameSink& frames = {}) {
     RunWriter writer(make_result_folder(path(), true),
-                     {"scenes/a.toml", "title = \"a\"\n", {"tool.die.friction=0.1"}, 2, 1.0}, *model_,
+                     {"scenes/a.toml", "title = \"a\"\n", {"tool.die.friction=0.1"}, {{"die", "fine\n"}}, 2, 1.0}, *model_,
                      {"r45_mm", "t_mm"});
     Progress progress(log_);
     return record_run([&](const RunObserver& observer) { return solve(observer, increments, outcome); },
@@ -77,6 +77,7 @@ TEST_F(RecordRun, WritesEverything) {
           ",7,1,2.5,-3,die,\"tension, in a group\",12.5,0,0.125\n");
   EXPECT_EQ(read("scene.toml"), "title = \"a\"\n");
   EXPECT_EQ(read("overrides.txt"), "tool.die.friction=0.1\n");
+  EXPECT_EQ(read("tools/die.txt"), "fine\n");
 }
 
 TEST_F(RecordRun, StatesAndTheirIndex) {
