@@ -32,7 +32,8 @@ ExitCode run_program(const std::vector<std::string>& words) {
     return ExitCode::kBadInput;
   }
   const std::string& first = words.front();
-  if (first == "--version" || first == "-V") return print("hydroscope " HYDROSCOPE_VERSION "\n");
+  if (first == "--version" || first == "-V")
+    return print("hydroscope " HYDROSCOPE_VERSION "\nGPL-3.0-or-later; comes without any warranty\n");
   const CommandSyntax* asked = words.size() > 1 ? find_command(words[1]) : nullptr;
   if (first == "--help" || first == "-h" || first == "help") {
     return print(asked != nullptr ? make_command_help(*asked) : make_help());
