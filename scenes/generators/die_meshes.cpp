@@ -69,14 +69,16 @@ class Columns {
     if (quarter == 3) return {p.y(), -p.x()};
     return p;
   }
-  /// Diagonals change their direction from octant to octant.
-  bool is_even_octant(int i) const { return wrap(i) / octant_ % 2 == 0; }
 
  private:
   int wrap(int i) const { return (i + first() + 8 * octant_) % (8 * octant_); }
   int octant_;
   Coverage coverage_;
 };
+
+/// Diagonals like the squares of a chessboard: every node has as much facet on its left as on its
+/// right, so that averaged normals do not lean, and the mesh mirrors about its columns and rows.
+bool is_even_cell(int i, int j) { return (i + j) % 2 == 0; }
 
 TriangleMesh make_die(const Columns& columns, const std::vector<double>& rows,
                       const std::function<Vec2(int, double)>& section) {
@@ -87,10 +89,7 @@ TriangleMesh make_die(const Columns& columns, const std::vector<double>& rows,
         const Vec2 p = columns.reflect(i, section(columns.index(i), std::abs(z)));
         return Vec3(p.x() + 0.0, p.y() + 0.0, z);  // + 0.0: no negative zeros
       },
-      [&](int i, int j) {
-        const auto row = static_cast<std::size_t>(j);
-        return columns.is_even_octant(i) == (rows[row] + rows[row + 1] > 0.0);
-      });
+      is_even_cell);
   flip_mesh(mesh);  // into the cavity
   return mesh;
 }
@@ -177,10 +176,7 @@ TriangleMesh make_punch(const Punch& punch) {
     return Vec3(punch.radius * std::cos(angle), punch.radius * std::sin(angle),
                 rows[static_cast<std::size_t>(j)]);
   };
-  const auto rises = [&](int i, int j) {
-    return (2 * i < facets) == (rows[static_cast<std::size_t>(j)] >= 0.0);
-  };
-  return make_grid_mesh(facets + 1, static_cast<int>(rows.size()), point, rises);
+  return make_grid_mesh(facets + 1, static_cast<int>(rows.size()), point, is_even_cell);
 }
 
 }  // namespace hydroscope

@@ -45,10 +45,9 @@ TriangleMesh make_grid_mesh(int columns, int rows, const std::function<Vec3(int,
   for (int j = 0; j + 1 < rows; ++j) {
     for (int i = 0; i + 1 < columns; ++i) {
       const int a = id(i, j), b = id(i + 1, j), c = id(i + 1, j + 1), d = id(i, j + 1);
-      const double rising = calc_distance(mesh, a, c);
-      const double falling = calc_distance(mesh, b, d);
-      const bool is_tie = std::abs(rising - falling) < 1e-9 * rising;
-      if (is_tie ? !rises || rises(i, j) : rising < falling) {
+      const bool is_rising =
+          rises ? rises(i, j) : calc_distance(mesh, a, c) <= calc_distance(mesh, b, d) * (1.0 + 1e-9);
+      if (is_rising) {
         add(a, b, c);
         add(a, c, d);
       } else {

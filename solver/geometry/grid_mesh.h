@@ -9,9 +9,9 @@
 namespace hydroscope {
 
 /// Triangles over a grid of `columns` x `rows` points point(i, j); normals point along
-/// (step in i) x (step in j). The shorter diagonal splits each cell; of equal ones the rising one,
-/// or what `rises(i, j)` says of the cell (for meshes that mirror exactly). Points that coincide
-/// exactly become one, and cells collapse where they do: closed grids come out closed.
+/// (step in i) x (step in j). The shorter diagonal splits each cell, of equal ones the rising one; or
+/// the rising one where `rises(i, j)` says so. Points that coincide exactly become one, and cells
+/// collapse where they do: closed grids come out closed.
 TriangleMesh make_grid_mesh(int columns, int rows, const std::function<Vec3(int, int)>& point,
                             const std::function<bool(int, int)>& rises = nullptr);
 
