@@ -6,6 +6,7 @@
 
 #include "solver/increment/contact_step.h"
 #include "solver/increment/equations.h"
+#include "solver/increment/evaluate.h"
 #include "solver/increment/measures.h"
 
 namespace hydroscope {
@@ -97,7 +98,14 @@ void accept(const Model& model, const Attempt& attempt, State& state, Scratch& s
   const PhaseTimer timer(scratch.times.update);
   Trial& trial = scratch.trial;
   state.reaction = calc_reactions(model, attempt.loads, scratch);
+  update_thickness(model, trial);
+  const double dt = attempt.loads.time - state.time;
+  for (std::size_t i = 0; i < state.wall.size(); ++i) {
+    const double change = trial.configuration.thickness[i] - state.configuration.thickness[i];
+    state.thinning_rate[i] = dt > 0.0 ? change / dt : 0.0;
+  }
   const auto old_contacts = std::move(state.contacts);
+  state.wall = trial.wall;
   state.configuration = trial.configuration;
   state.layers = trial.layers;
   state.gauss = trial.gauss;
@@ -122,7 +130,7 @@ void accept(const Model& model, const Attempt& attempt, State& state, Scratch& s
   update_contact_history(model, state, old_contacts, report);
   update_outer_pressure(model, state);
   const auto [low, high] =
-      std::minmax_element(state.configuration.thickness.begin(), state.configuration.thickness.end());
+      std::minmax_element(state.wall.begin(), state.wall.end());
   report.thickness_min = *low;
   report.thickness_max = *high;
   for (const Quantity& quantity : model.quantities) {

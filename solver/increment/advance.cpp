@@ -48,7 +48,7 @@ Target make_target(const Model& model, const State& state, double dt, double cor
 
 /// Size of the next increment from what this one needed.
 double propose_next(const Model& model, const Trial& trial, double dt, int iterations) {
-  double factor = iterations <= 4 ? 1.5 : (iterations <= 7 ? 1.0 : 0.7);
+  double factor = iterations <= 5 ? 1.5 : (iterations <= 8 ? 1.1 : 0.7);
   if (trial.strain_increment > 0.0) {
     factor = std::min(factor, 0.9 * model.increment.max_strain / trial.strain_increment);
   }

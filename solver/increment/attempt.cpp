@@ -15,6 +15,11 @@ namespace {
 
 constexpr double kReleaseResidual = 0.02;  // reactions are trusted for letting go below this imbalance
 constexpr double kVolumeTolerance = 1e-8;  // of the enclosed volume
+// The tangent does not know that the wall thins; near a limit point that alone keeps the
+// corrector from settling. After these passes the thickness stands still: what it still lacks is
+// of the size of the last correction, and is driven out in the next increment.
+constexpr int kThinningPasses = 3;
+constexpr int kLargestCuts = 3;            // of one correction
 constexpr double kDivergence = 1e4;        // growth of the residual at which an increment is given up
 
 /// The part of the way from the state to the target.
@@ -51,7 +56,11 @@ class Corrector {
     if (!predict()) return attempt_;
     for (int k = 1; k <= model_.increment.max_iterations; ++k) {
       attempt_.iterations = k;
-      evaluate(model_, state_, attempt_.loads, false, s_);
+      if (k == 1) {
+        evaluate_trial();
+      } else {
+        search_along();
+      }
       if (is_done()) return attempt_;
       if (!std::isfinite(attempt_.residual) || attempt_.residual > kDivergence) {
         attempt_.end = Attempt::End::kDiverged;
@@ -75,8 +84,20 @@ class Corrector {
     return false;
   }
 
+  /// Gaps of the predictor count with the wall as thin as it will be (mechanics 8.1).
+  void predict_thinning() {
+    const double dt = target_.time - state_.time;
+    if (target_.is_turning || dt <= 0.0) return;
+    std::vector<double>& h = s_.trial.configuration.thickness;
+    for (std::size_t i = 0; i < h.size(); ++i) {
+      h[i] = state_.configuration.thickness[i] + std::min(0.0, state_.thinning_rate[i] * dt);
+    }
+    search_contacts(model_, attempt_.loads, s_);
+  }
+
   bool predict() {
-    evaluate(model_, state_, attempt_.loads, !target_.is_turning, s_);
+    evaluate(model_, state_, attempt_.loads, {.assume_flow = !target_.is_turning}, s_);
+    predict_thinning();
     evaluate_contacts(model_, state_, attempt_.loads, s_);
     if (!factorise_or_fail()) return false;
     attempt_.negative_pivots = s_.last_factorisation.negative_pivots;
@@ -87,6 +108,10 @@ class Corrector {
     }
     Solution solution = solve(model_, attempt_.loads, target_.use_volume, calc_volume_gap(), s_);
     attempt_.limit = calc_step_limit(model_, solution.q, s_.trial);
+    if (getenv("HYDBG")) { //DBG
+      fprintf(stderr, "  pred res %.2e gap %.1e qmax %.3e lim %.3f %s at %d dt %.3e\n", calc_imbalance(model_, attempt_.loads, s_).residual, calc_gap_error(s_.trial), solution.q.cwiseAbs().maxCoeff(), attempt_.limit.fraction, to_string(attempt_.limit.limiter), attempt_.limit.at, target_.time-state_.time); //DBG
+      for (auto& cs : s_.trial.contacts) for (size_t i=0;i<cs.size();++i) if (cs[i].is_active()) fprintf(stderr, "     node %zu gap %.2e f %.4f pA %.4f qn %.2e h %.6f\n", i, cs[i].foot.gap, cs[i].normal_force, attempt_.loads.pressure*s_.trial.area[i], solution.q[5*(long)i], s_.trial.configuration.thickness[i]); //DBG
+    } //DBG
     const double r = std::min(1.0, attempt_.limit.fraction);
     target_ = interpolate(state_, target_, r);
     solution.q *= r;
@@ -96,17 +121,40 @@ class Corrector {
     return true;
   }
 
-  /// Contact set, friction and imbalance of the present trial; true when it is an equilibrium.
-  bool is_done() {
+  void evaluate_trial() {
+    evaluate(model_, state_, attempt_.loads,
+             {.assume_flow = false, .freeze_thickness = attempt_.iterations > kThinningPasses}, s_);
     evaluate_contacts(model_, state_, attempt_.loads, s_);
     attempt_.residual = calc_imbalance(model_, attempt_.loads, s_).residual;
-    const bool may_release = attempt_.iterations > 1 && attempt_.residual < kReleaseResidual;
+  }
+
+  /// Takes the correction, or as much of it as does not throw the trial farther off. Closing gaps
+  /// disturbs the equilibrium at first: then only the strain tells a step that is too long.
+  void search_along() {
+    const Configuration base = s_.trial.configuration;
+    const double base_pressure = attempt_.loads.pressure, before = attempt_.residual;
+    const double strain_bound = 2.0 * std::max(model_.increment.max_strain, s_.trial.strain_increment);
+    double scale = 1.0;
+    for (int k = 0;; ++k, scale *= 0.4) {
+      s_.trial.configuration = base;
+      move(s_.trial.configuration, scale * correction_.q);
+      attempt_.loads.pressure = base_pressure + scale * correction_.pressure_change;
+      evaluate_trial();
+      const bool is_calm = attempt_.residual <= 1.5 * before || (is_closing_ && s_.trial.strain_increment <= strain_bound);
+      if (is_calm || k == kLargestCuts) return;
+    }
+  }
+
+  /// Contact set, friction and imbalance of the present trial; true when it is an equilibrium.
+  bool is_done() {
+    const bool may_release = attempt_.residual < kReleaseResidual;
     const SetChange change = update_contact_set(model_, state_, attempt_.loads, may_release, s_);
     if (change.any()) evaluate_contacts(model_, state_, attempt_.loads, s_);
-    const double gap_tolerance = 0.1 * model_.touch_tolerance();
+    const double gap_tolerance = 0.1 * model_.touch_tolerance(), gap_error = model_.contact.wall_stiffness > 0.0 ? 0.0 : calc_gap_error(s_.trial);
+    is_closing_ = change.any() || gap_error > gap_tolerance;
     volume_gap_ = calc_volume_gap();
     if (getenv("HYDBG")) fprintf(stderr, "  it %d res %.2e gap %.1e vgap %.1e touch %d rel %d recl %d strain %.4f p %.6g neg %d\n", attempt_.iterations, attempt_.residual, calc_gap_error(s_.trial), volume_gap_/state_.volume, change.touched, change.released, change.reclosed, s_.trial.strain_increment, attempt_.loads.pressure, s_.last_factorisation.negative_pivots); //DBG
-    if (change.any() || attempt_.residual > model_.increment.tolerance || calc_gap_error(s_.trial) > gap_tolerance ||
+    if (is_closing_ || attempt_.residual > model_.increment.tolerance ||
         std::abs(volume_gap_) > kVolumeTolerance * std::abs(state_.volume)) {
       return false;
     }
@@ -117,10 +165,8 @@ class Corrector {
 
   bool correct() {
     if (!factorise_or_fail()) return false;
-    Solution solution = solve(model_, attempt_.loads, target_.use_volume, volume_gap_, s_);
-    limit_correction(solution);
-    attempt_.loads.pressure += solution.pressure_change;
-    move(s_.trial.configuration, solution.q);
+    correction_ = solve(model_, attempt_.loads, target_.use_volume, volume_gap_, s_);
+    limit_correction(correction_);
     return true;
   }
 
@@ -129,7 +175,9 @@ class Corrector {
   Target target_;
   Scratch& s_;
   Attempt attempt_;
+  Solution correction_;
   double volume_gap_ = 0.0;
+  bool is_closing_ = false;  ///< the contact set has changed, or gaps are still open
 };
 
 }  // namespace

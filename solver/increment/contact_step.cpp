@@ -3,12 +3,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "solver/contact/constraint.h"
 
 namespace hydroscope {
 
 namespace {
+
+// Tension of a quarter of the fluid's share is no noise, whatever the neighbours carry.
+constexpr double kCertainTension = 0.25;
 
 SlavePoint make_slave_point(const Configuration& c, std::size_t i, const Tool& tool) {
   return {c.triad[i], tool.side * 0.5 * c.thickness[i]};
@@ -17,6 +21,12 @@ SlavePoint make_slave_point(const Configuration& c, std::size_t i, const Tool& t
 /// E_t of a node [N/mm]: a share of E/h per area (4.45).
 double calc_stick_stiffness(const Model& model, double area) {
   return model.contact.stick_stiffness * model.law.sheet.material.youngs_modulus / model.thickness * area;
+}
+
+/// Stiffness of the outer half of the wall under contact pressure, E A / (h/2) [N/mm].
+double calc_wall_stiffness(const Model& model, double area) {
+  if (model.contact.wall_stiffness <= 0.0) return std::numeric_limits<double>::infinity();
+  return model.contact.wall_stiffness * 2.0 * model.law.sheet.material.youngs_modulus / model.thickness * area;
 }
 
 void add_supports(const Model& model, const Loads& loads, const Configuration& c, std::size_t i,
@@ -142,7 +152,7 @@ void evaluate_contacts(const Model& model, const State& state, const Loads& load
       touches = true;
       const NodeVector row =
           calc_gap_row(make_slave_point(trial.configuration, i, model.tools[t]), point.foot.normal);
-      point.held_row = basis.add_row(row, -point.foot.gap);
+      point.held_row = basis.add_row(row, -point.foot.gap, calc_wall_stiffness(model, trial.area[i]));
     }
     basis.finish();
     s.bases[i] = basis;
@@ -172,7 +182,7 @@ SetChange update_contact_set(const Model& model, const State& state, const Loads
                              Scratch& s) {
   Trial& trial = s.trial;
   SetChange change;
-  const double through = -0.1 * model.touch_tolerance();
+  const double through = model.contact.wall_stiffness > 0.0 ? 0.0 : -0.1 * model.touch_tolerance();
   for (std::size_t t = 0; t < model.tools.size(); ++t) {
     auto& contacts = trial.contacts[t];
     const ReleaseScale scale = calc_release_scale(contacts);
@@ -194,9 +204,10 @@ SetChange update_contact_set(const Model& model, const State& state, const Loads
       const double reference =
           std::max(std::abs(loads.pressure) * trial.area[i], 0.1 * scale.mean_force);
       const bool is_pulled = point.normal_force < -model.contact.release_tolerance * reference;
+      const bool is_pulled_hard = point.normal_force < -kCertainTension * reference;
       const bool has_left_edge = point.foot.beyond_edge > 0.5 * model.thickness;
-      if (has_left_edge || (is_pulled && calc_smoothed_pressure(model, contacts, trial.area,
-                                                                static_cast<int>(i)) <= 0.0)) {
+      if (has_left_edge || is_pulled_hard ||
+          (is_pulled && calc_smoothed_pressure(model, contacts, trial.area, static_cast<int>(i)) <= 0.0)) {
         releases.push_back(static_cast<int>(i));
       }
     }

@@ -34,6 +34,11 @@ Vector to_world(const Scratch& s, const Vector& local) {
 
 double calc_diagonal(const Model& model) { return model.law.sheet.material.youngs_modulus * model.thickness; }
 
+/// What is left of a held row: nothing when eliminated, else the residual with the spring's force.
+double calc_spring_force(const NodeBasis& basis, int k, double residual) {
+  return basis.is_eliminated(k) ? 0.0 : residual + basis.stiffness(k) * basis.value(k);
+}
+
 double calc_force_norm(const Vector& v) {
   double sum = 0.0;
   for (Eigen::Index i = 0; i < v.size(); i += kDofs) sum += v.segment<3>(i).squaredNorm();
@@ -50,11 +55,12 @@ void start_trial(const State& state, Scratch& s) {
   }
 }
 
-void evaluate(const Model& model, const State& state, const Loads& loads, bool assume_flow, Scratch& s) {
+void evaluate(const Model& model, const State& state, const Loads& loads, const EvaluationSettings& settings,
+              Scratch& s) {
   evaluate_through_wall_stress(model, state, loads, s.trial);
-  evaluate_elements(model, state, loads, assume_flow, s);
+  evaluate_elements(model, state, loads, settings.assume_flow, s);
   evaluate_edge_loads(model, loads, s.trial);
-  update_thickness(s.trial);
+  if (!settings.freeze_thickness) update_thickness(model, s.trial);
   search_contacts(model, loads, s);
 }
 
@@ -65,7 +71,7 @@ Imbalance calc_imbalance(const Model& model, const Loads& loads, const Scratch& 
   for (std::size_t i = 0; i < s.bases.size(); ++i) {
     const auto at = static_cast<Eigen::Index>(kDofs * i);
     NodeVector r = local.segment<kDofs>(at);
-    for (int k = 0; k < s.bases[i].n_held(); ++k) r[k] = 0.0;
+    for (int k = 0; k < s.bases[i].n_held(); ++k) r[k] = calc_spring_force(s.bases[i], k, r[k]);
     if (s.bases[i].is_identity()) r.tail<2>() /= model.thickness;
     sum += r.squaredNorm();
   }
@@ -82,7 +88,7 @@ Factorisation factorise(const Model& model, Scratch& s) {
   const PhaseTimer timer(s.times.factorise);
   for (std::size_t i = 0; i < s.bases.size(); ++i) {
     for (int k = 0; k < kDofs; ++k) {
-      s.is_held[kDofs * i + static_cast<std::size_t>(k)] = k < s.bases[i].n_held() ? 1 : 0;
+      s.is_held[kDofs * i + static_cast<std::size_t>(k)] = (k < s.bases[i].n_held() && s.bases[i].is_eliminated(k)) ? 1 : 0;
     }
   }
   s.matrix.eliminate(s.is_held, calc_diagonal(model), s.values);
@@ -94,13 +100,16 @@ Factorisation factorise(const Model& model, Scratch& s) {
 Solution solve(const Model& model, const Loads& loads, bool use_volume, double volume_gap, Scratch& s) {
   const PhaseTimer timer(s.times.solve);
   const double diagonal = calc_diagonal(model);
-  Vector prescribed = Vector::Zero(s.matrix.size());
+  Vector prescribed = Vector::Zero(s.matrix.size()), springs = prescribed;
   for (std::size_t i = 0; i < s.bases.size(); ++i) {
     for (int k = 0; k < s.bases[i].n_held(); ++k) {
-      prescribed[static_cast<Eigen::Index>(kDofs * i) + k] = s.bases[i].value(k);
+      const auto at = static_cast<Eigen::Index>(kDofs * i) + k;
+      const double value = s.bases[i].value(k);
+      (s.bases[i].is_eliminated(k) ? prescribed[at] : springs[at]) =
+          s.bases[i].is_eliminated(k) ? value : s.bases[i].stiffness(k) * value;
     }
   }
-  Vector rhs = to_local(s, s.trial.calc_residual(loads)) - s.matrix.multiply(prescribed);  // (4.58)
+  Vector rhs = to_local(s, s.trial.calc_residual(loads)) + springs - s.matrix.multiply(prescribed);  // (4.58)
   Vector load = to_local(s, s.trial.pressure_load);
   for (Eigen::Index j = 0; j < rhs.size(); ++j) {
     if (s.is_held[static_cast<std::size_t>(j)] == 0) continue;

@@ -5,9 +5,16 @@
 
 namespace hydroscope {
 
+/// How a trial is evaluated.
+struct EvaluationSettings {
+  bool assume_flow = false;       ///< the tangent is a predictor's
+  bool freeze_thickness = false;  ///< keep the nodes' thickness as it is
+};
+
 /// Everything of the trial configuration at these loads: contacts, elements,
 /// forces, matrix. The trial must hold a configuration and contact points.
-void evaluate(const Model& model, const State& state, const Loads& loads, bool assume_flow, Scratch& scratch);
+void evaluate(const Model& model, const State& state, const Loads& loads, const EvaluationSettings& settings,
+              Scratch& scratch);
 
 /// Copies the accepted state into the trial.
 void start_trial(const State& state, Scratch& scratch);

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/increment/evaluate.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "solver/loading/pressure.h"
 
 namespace hydroscope {
@@ -94,6 +97,7 @@ Scratch::Scratch(const Model& model, int threads)
   }
   trial.area.assign(n, 0.0);
   trial.volume.assign(n, 0.0);
+  trial.wall.assign(n, model.thickness);
 }
 
 ElementNodes gather_nodes(const Model& model, const Configuration& c, std::size_t element) {
@@ -144,9 +148,27 @@ void evaluate_elements(const Model& model, const State& state, const Loads& load
   }
 }
 
-void update_thickness(Trial& trial) {
-  for (std::size_t i = 0; i < trial.area.size(); ++i) {
-    trial.configuration.thickness[i] = trial.volume[i] / trial.area[i];
+void update_thickness(const Model& model, Trial& trial) {
+  const std::size_t n = trial.area.size();
+  for (std::size_t i = 0; i < n; ++i) trial.wall[i] = trial.volume[i] / trial.area[i];
+  // One pass (node to element to node) spreads by half an element's length squared.
+  const double ratio = model.thickness / model.element_size;
+  const int passes = std::min(30, static_cast<int>(std::lround(0.5 * ratio * ratio)));
+  std::vector<double>& h = trial.configuration.thickness;
+  h = trial.wall;
+  std::vector<double> sum(n), count(n);
+  for (int pass = 0; pass < passes; ++pass) {
+    std::fill(sum.begin(), sum.end(), 0.0);
+    std::fill(count.begin(), count.end(), 0.0);
+    for (const auto& quad : model.quads) {
+      double mean = 0.0;
+      for (const int i : quad) mean += 0.25 * h[static_cast<std::size_t>(i)];
+      for (const int i : quad) {
+        sum[static_cast<std::size_t>(i)] += mean;
+        count[static_cast<std::size_t>(i)] += 1.0;
+      }
+    }
+    for (std::size_t i = 0; i < n; ++i) h[i] = sum[i] / count[i];
   }
 }
 
@@ -189,7 +211,11 @@ void assemble_matrix(const Model& model, Scratch& s) {
   s.pool.for_ranges(static_cast<std::size_t>(model.n_nodes()), [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       if (s.bases[i].is_identity()) continue;
-      s.node_blocks[i] = (s.bases[i].transform().transpose() * s.node_blocks[i] * s.bases[i].transform()).eval();
+      const NodeBasis& basis = s.bases[i];
+      s.node_blocks[i] = (basis.transform().transpose() * s.node_blocks[i] * basis.transform()).eval();
+      for (int k = 0; k < basis.n_held(); ++k) {
+        if (!basis.is_eliminated(k)) s.node_blocks[i](k, k) += basis.stiffness(k);  // (4.59)
+      }
     }
     s.matrix.assemble(s.element_matrices, s.node_blocks, begin, end);
   });

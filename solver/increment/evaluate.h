@@ -11,9 +11,13 @@ namespace hydroscope {
 void evaluate_elements(const Model& model, const State& state, const Loads& loads, bool assume_flow,
                        Scratch& scratch);
 
-/// h = volume / area at each node of the trial configuration [mm]. Kept apart
-/// from evaluate_elements() so that a tangent can be checked with it frozen.
-void update_thickness(Trial& trial);
+/// Wall thickness, volume over area at each node [mm], and from it the h of the
+/// kinematics and of the contact points: where elements are shorter than the
+/// wall is thick, h is spread over a length of about half the thickness. A wall
+/// cannot change its thickness over less; unsmoothed, the noise of one element
+/// would be pressed into the mid-surface as curvature wherever a tool holds it.
+/// Kept apart from evaluate_elements() so that a tangent can be checked with it frozen.
+void update_thickness(const Model& model, Trial& trial);
 
 /// Line loads on edges (dead forces, tension along the current tangent).
 void evaluate_edge_loads(const Model& model, const Loads& loads, Trial& trial);

@@ -42,26 +42,33 @@ bool is_sticking(const Model& model, const State& state, std::size_t e) {
   return false;
 }
 
-/// Plastic strain increment of an element against the mean of those two rings away.
-double calc_rate_ratio(const Model& model, const Scratch& s, std::size_t e) {
+/// Follows how the strain of late is shared out: the last few per cent of the fastest element count.
+void update_recent_strain(const Scratch& s, State& state) {
+  constexpr double kMemory = 0.02;  // strain of the fastest element over which the past fades
+  double fastest = 0.0;
+  for (const ElementResponse& r : s.responses) fastest = std::max(fastest, r.plastic_increment);
+  if (fastest <= 0.0) return;
+  const double weight = std::min(1.0, fastest / kMemory);
+  for (std::size_t e = 0; e < state.recent_strain.size(); ++e) {
+    state.recent_strain[e] += weight * (s.responses[e].plastic_increment / fastest - state.recent_strain[e]);
+  }
+}
+
+/// Recent plastic strain of an element against the mean of those within a few wall
+/// thicknesses of it but not next to it.
+double calc_rate_ratio(const Model& model, const State& state, std::size_t e) {
+  const Vec3 centre = calc_centre(model, state, e);
+  const double inner = 1.5 * std::max(model.thickness, model.element_size), outer = 2.5 * inner;
   double sum = 0.0;
   int count = 0;
-  for (const int i : model.quads[e]) {
-    for (const int j : model.node_neighbours[static_cast<std::size_t>(i)]) {
-      for (const auto& [other, local] : s.node_elements[static_cast<std::size_t>(j)]) {
-        const auto& quad = model.quads[static_cast<std::size_t>(other)];
-        const bool shares = std::any_of(quad.begin(), quad.end(), [&](int a) {
-          return std::find(model.quads[e].begin(), model.quads[e].end(), a) != model.quads[e].end();
-        });
-        if (shares) continue;
-        sum += s.responses[static_cast<std::size_t>(other)].plastic_increment;
-        ++count;
-      }
-    }
+  for (std::size_t other = 0; other < model.quads.size(); ++other) {
+    const double distance = (calc_centre(model, state, other) - centre).norm();
+    if (distance < inner || distance > outer) continue;
+    sum += state.recent_strain[other];
+    ++count;
   }
-  const double own = s.responses[e].plastic_increment;
-  if (count == 0 || own <= 0.0) return 0.0;
-  return own / std::max(sum / count, 1e-6 * own);
+  if (count == 0 || state.recent_strain[e] <= 0.0) return 0.0;
+  return state.recent_strain[e] / std::max(sum / count, 1e-6);
 }
 
 struct Weakest {
@@ -82,7 +89,7 @@ Weakest find_necking(const Model& model, const Scratch& s, const State& state) {
     const auto flow = hardening(strain);
     const bool is_past = flow.slope < 0.5 * std::numbers::sqrt3 * flow.stress;  // plane-strain Considère
     double thickness = 0.0;
-    for (const int i : model.quads[e]) thickness += 0.25 * state.configuration.thickness[static_cast<std::size_t>(i)];
+    for (const int i : model.quads[e]) thickness += 0.25 * state.wall[static_cast<std::size_t>(i)];
     // A wall that has not thinned by as much has been compressed or bent, not stretched.
     const bool is_stretched = std::log(model.thickness / thickness) > 0.7 * 0.5 * std::numbers::sqrt3 * strain;
     if (is_past && is_stretched && !is_sticking(model, state, e)) weakest = {static_cast<int>(e), strain};
@@ -111,7 +118,7 @@ void judge_necking(const Model& model, const Scratch& s, State& state, Increment
   warn(state, report, kNecking, "necking",
        "the wall has passed the maximum of its force" + place +
            format(" (plastic strain %.3f): from here on it may neck and no mesh converges", weakest.strain));
-  const double ratio = calc_rate_ratio(model, s, e);
+  const double ratio = calc_rate_ratio(model, state, e);
   if (ratio > model.limits.localisation) {
     const std::string text = "the strain localises" + place +
                              format(": %.1f times the rate of its surroundings", ratio);
@@ -124,7 +131,10 @@ void judge_necking(const Model& model, const Scratch& s, State& state, Increment
 }  // namespace
 
 void judge(const Model& model, const Scratch& s, State& state, IncrementReport& report) {
-  if (model.law.sheet.material.hardening.is_plastic()) judge_necking(model, s, state, report);
+  if (model.law.sheet.material.hardening.is_plastic()) {
+    update_recent_strain(s, state);
+    judge_necking(model, s, state, report);
+  }
   const int explained = model.use_volume_control ? 1 : 0;
   if (report.negative_pivots > explained) {
     warn(state, report, kPivots, "negative-pivot",

@@ -73,7 +73,7 @@ double evaluate_quantity(const Model& model, const State& state, const Quantity&
                          const std::vector<double>& before) {
   const std::string& kind = q.scene.kind;
   if (kind == "thickness") {
-    return interpolate(q, [&](std::size_t i) { return state.configuration.thickness[i]; });
+    return interpolate(q, [&](std::size_t i) { return state.wall[i]; });
   }
   if (kind == "radius") {
     return interpolate(q, [&](std::size_t i) { return calc_radius(state, q.scene.face, i); });

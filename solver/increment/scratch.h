@@ -27,6 +27,7 @@ struct Trial {
   std::vector<double> sigma33;
   std::vector<double> area;      ///< tributary mid-surface area [mm^2]
   std::vector<double> volume;    ///< tributary volume [mm^3]
+  std::vector<double> wall;      ///< volume / area [mm]
   Vector internal;               ///< internal force
   Vector pressure_load;          ///< load of unit pressure
   Vector other_load;             ///< edge loads

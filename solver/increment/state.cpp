@@ -43,8 +43,11 @@ State make_initial_state(const Model& model) {
                         std::span(s.gauss).subspan(e * kGaussPoints, kGaussPoints)});
   }
   s.contacts.assign(model.tools.size(), std::vector<ContactPoint>(n));
+  s.thinning_rate.assign(n, 0.0);
+  s.recent_strain.assign(n_e, 0.0);
   s.sigma33.assign(n, 0.0);
   s.outer_pressure.assign(n, 0.0);
+  s.wall.assign(n, model.thickness);
   s.area.assign(n, 0.0);
   s.reaction.assign(n, Vec3::Zero());
   s.volume = model.volume0;

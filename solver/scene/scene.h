@@ -115,6 +115,7 @@ struct ToolScene {                      // [tool.NAME]
 
 struct ContactScene {                   // [contact]
   double tolerance = 0.0;               // tolerance_mm: a point closer than this touches; 0 = thickness / 1000
+  double wall_stiffness = 1.0;          // wall_stiffness: of the outer half of the wall, in 2 E / h per area; 0 = rigid
   double stick_stiffness = 0.1;         // stick_stiffness: E_t = this * E / h per area (4.45)
   double release_tolerance = 0.01;      // release_tolerance: tension against the fluid's share of the node
   std::string curvature = "symmetric";  // curvature: none | symmetric | full (K_C)

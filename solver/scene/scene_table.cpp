@@ -354,6 +354,10 @@ SceneTable make_contact() {
           key<&T::tolerance>("tolerance_mm", "mm",
                              "A point nearer than this touches; 0 stands for a thousandth of the thickness.")
               .in(0, 10),
+          key<&T::wall_stiffness>("wall_stiffness", "",
+                                  "Stiffness of the wall's outer half under contact pressure, against 2 E / h per "
+                                  "area; 0 stands for a rigid one.")
+              .in(0, 1e6),
           key<&T::stick_stiffness>("stick_stiffness", "",
                                    "Tangential stiffness of a sticking node against E / h per area, (4.45).")
               .in(1e-6, 1e6),

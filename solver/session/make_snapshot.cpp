@@ -63,7 +63,7 @@ std::shared_ptr<const Snapshot> make_snapshot(const Model& model, const State& s
   s->feed = model.feed(state.time);
   s->points = state.configuration.x;
   for (const Triad& t : state.configuration.triad) s->directors.push_back(t.v);
-  s->thickness = state.configuration.thickness;
+  s->thickness = state.wall;
   s->plastic_strain = calc_plastic_strain(model, state);
   s->contact_state.assign(n, ContactClass::kFree);
   s->contact_tool.assign(n, -1);

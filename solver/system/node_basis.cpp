@@ -3,7 +3,7 @@
 
 namespace hydroscope {
 
-int NodeBasis::add_row(const NodeVector& row, double value) {
+int NodeBasis::add_row(const NodeVector& row, double value, double stiffness) {
   constexpr double kDependent = 0.05;  // sine of the smallest angle to the rows already there
   if (n_held_ == kDofs) return -1;
   const double size = row.norm();
@@ -16,6 +16,7 @@ int NodeBasis::add_row(const NodeVector& row, double value) {
   orthonormal_.col(n_held_) = rest / independent;
   rows_.col(n_held_) = row;
   values_[static_cast<std::size_t>(n_held_)] = value;
+  stiffness_[static_cast<std::size_t>(n_held_)] = stiffness;
   return n_held_++;
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cmath>
+#include <limits>
 #include <vector>
 
 #include "solver/system/block_matrix.h"
@@ -18,13 +20,17 @@ class NodeBasis {
   NodeBasis() { transform_.setIdentity(); }
 
   /// Adds C q = value. Returns its index among the held ones, or -1 when the
-  /// row depends on those already there (then it is left out).
-  int add_row(const NodeVector& row, double value);
+  /// row depends on those already there (then it is left out). A finite
+  /// `stiffness` alpha [N/mm] makes it a spring alpha (value - C q) on the
+  /// diagonal (4.58)-(4.62); infinite (the default) it is eliminated.
+  int add_row(const NodeVector& row, double value, double stiffness = std::numeric_limits<double>::infinity());
   /// Builds T; call after the last add_row().
   void finish();
 
   bool is_identity() const { return n_held_ == 0; }
   int n_held() const { return n_held_; }
+  bool is_eliminated(int i) const { return std::isinf(stiffness_[static_cast<std::size_t>(i)]); }
+  double stiffness(int i) const { return stiffness_[static_cast<std::size_t>(i)]; }
   double value(int i) const { return values_[static_cast<std::size_t>(i)]; }
   const NodeBlock& transform() const { return transform_; }
 
@@ -32,7 +38,7 @@ class NodeBasis {
   int n_held_ = 0;
   Eigen::Matrix<double, kDofs, kDofs> rows_ = Eigen::Matrix<double, kDofs, kDofs>::Zero();        ///< columns are rows of C
   Eigen::Matrix<double, kDofs, kDofs> orthonormal_ = Eigen::Matrix<double, kDofs, kDofs>::Zero(); ///< Gram-Schmidt of them
-  std::array<double, kDofs> values_{};
+  std::array<double, kDofs> values_{}, stiffness_{};
   NodeBlock transform_;
 };
 
