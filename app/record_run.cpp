@@ -5,7 +5,6 @@
 #include <chrono>
 
 #include "solver/base/error.h"
-#include "solver/scene/number_text.h"
 
 namespace hydroscope {
 namespace {
@@ -98,9 +97,10 @@ class Recorder {
   std::string trouble_;
 };
 
-std::string print_time(double seconds) {
+/// As many digits as a reader wants; the files have all of them.
+std::string print_short(double number) {
   std::array<char, 40> text{};
-  std::snprintf(text.data(), text.size(), "%.4g", seconds);
+  std::snprintf(text.data(), text.size(), "%.6g", number);
   return text.data();
 }
 
@@ -114,13 +114,13 @@ RecordedRun record_run(const std::function<RunSummary(const RunObserver&)>& solv
 
 std::string describe_run(const RecordedRun& run, double end_time) {
   const RunSummary& s = run.summary;
-  std::string text = std::string(to_string(s.outcome)) + ": reached " + print_time(s.time) + " s of " +
-                     print_time(end_time) + " s in " + std::to_string(s.increments) + " increments, " +
+  std::string text = std::string(to_string(s.outcome)) + ": reached " + print_short(s.time) + " s of " +
+                     print_short(end_time) + " s in " + std::to_string(s.increments) + " increments, " +
                      std::to_string(s.factorisations) + " factorisations\n";
   if (!s.message.empty()) text += s.message + "\n";
   if (!s.warnings.empty()) text += std::to_string(s.warnings.size()) + " warnings; see summary.json\n";
   for (size_t i = 0; i < s.quantities.size() && i < s.quantity_names.size(); ++i) {
-    text += "  " + s.quantity_names[i] + " = " + format_exact(s.quantities[i]) + "\n";
+    text += "  " + s.quantity_names[i] + " = " + print_short(s.quantities[i]) + "\n";
   }
   return text;
 }

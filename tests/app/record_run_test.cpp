@@ -209,7 +209,7 @@ TEST(DescribeRun, SaysHowFarItCame) {
   EXPECT_EQ(describe_run(run, 1.0),
             std::string(to_string(Outcome::kUserStop)) +
                 ": reached 0.3 s of 1 s in 3 increments, 6 factorisations\nbecause\n1 warnings; see "
-                "summary.json\n  r45_mm = 0.14285714285714285\n  t_mm = 1.25\n");
+                "summary.json\n  r45_mm = 0.142857\n  t_mm = 1.25\n");
 }
 
 }  // namespace

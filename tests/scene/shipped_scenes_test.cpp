@@ -25,5 +25,17 @@ TEST(ShippedScenes, AllRead) {
   }
 }
 
+/// The first thing that a newcomer copies.
+TEST(ShippedScenes, ExampleOfTheReadmeReads) {
+  std::ifstream file("README.md");
+  std::ostringstream text;
+  text << file.rdbuf();
+  const std::string start = "```toml\n", readme = text.str();
+  const size_t from = readme.find(start) + start.size();
+  const Scene scene = parse_scene(readme.substr(from, readme.find("```", from) - from), "README.md");
+  EXPECT_EQ(scene.sheet, "tube");
+  EXPECT_EQ(scene.tools.size(), 1U);
+}
+
 }  // namespace
 }  // namespace hydroscope
