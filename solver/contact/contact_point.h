@@ -33,6 +33,7 @@ struct ContactPoint {
   Vec3 position = Vec3::Zero();   ///< slave point relative to the tool's translation [mm]
   Vec3 anchor = Vec3::Zero();     ///< where friction starts in this increment, like `position`
   double normal_force = 0.0;      ///< t_N [N], compression positive, from total equilibrium
+  double friction_normal = 0.0;   ///< normal force that bounds the friction [N]; see evaluate_contacts()
   double peak_force = 0.0;        ///< largest normal force since it touched [N]
   Vec3 friction = Vec3::Zero();   ///< tangential force of the tool on the sheet [N]
   Vec3 slip = Vec3::Zero();       ///< accumulated sliding [mm]

@@ -15,10 +15,10 @@ namespace {
 
 constexpr double kReleaseResidual = 0.02;  // reactions are trusted for letting go below this imbalance
 constexpr double kVolumeTolerance = 1e-8;  // of the enclosed volume
-// The tangent does not know that the wall thins; near a limit point that alone keeps the
-// corrector from settling. After these passes the thickness stands still: what it still lacks is
-// of the size of the last correction, and is driven out in the next increment.
-constexpr int kThinningPasses = 3;
+// The tangent knows neither that the wall thins nor that friction follows the normal force; near a
+// limit point that alone keeps the corrector from settling. After these passes both stand still:
+// what they still lack is of the size of the last correction, and is made up in the next increment.
+constexpr int kSettlingPasses = 3;
 constexpr int kLargestCuts = 3;            // of one correction
 constexpr double kDivergence = 1e4;        // growth of the residual at which an increment is given up
 
@@ -98,7 +98,7 @@ class Corrector {
   bool predict() {
     evaluate(model_, state_, attempt_.loads, {.assume_flow = !target_.is_turning}, s_);
     predict_thinning();
-    evaluate_contacts(model_, state_, attempt_.loads, s_);
+    evaluate_contacts(model_, state_, attempt_.loads, false, s_);
     if (!factorise_or_fail()) return false;
     attempt_.negative_pivots = s_.last_factorisation.negative_pivots;
     if (attempt_.negative_pivots > 0 && !target_.use_volume) {
@@ -121,10 +121,12 @@ class Corrector {
     return true;
   }
 
+  bool is_settled() const { return attempt_.iterations > kSettlingPasses; }
+
   void evaluate_trial() {
     evaluate(model_, state_, attempt_.loads,
-             {.assume_flow = false, .freeze_thickness = attempt_.iterations > kThinningPasses}, s_);
-    evaluate_contacts(model_, state_, attempt_.loads, s_);
+             {.assume_flow = false, .freeze_thickness = is_settled()}, s_);
+    evaluate_contacts(model_, state_, attempt_.loads, is_settled(), s_);
     attempt_.residual = calc_imbalance(model_, attempt_.loads, s_).residual;
   }
 
@@ -149,7 +151,7 @@ class Corrector {
   bool is_done() {
     const bool may_release = attempt_.residual < kReleaseResidual;
     const SetChange change = update_contact_set(model_, state_, attempt_.loads, may_release, s_);
-    if (change.any()) evaluate_contacts(model_, state_, attempt_.loads, s_);
+    if (change.any()) evaluate_contacts(model_, state_, attempt_.loads, is_settled(), s_);
     const double gap_tolerance = 0.1 * model_.touch_tolerance(), gap_error = model_.contact.wall_stiffness > 0.0 ? 0.0 : calc_gap_error(s_.trial);
     is_closing_ = change.any() || gap_error > gap_tolerance;
     volume_gap_ = calc_volume_gap();

@@ -56,13 +56,14 @@ void add_supports(const Model& model, const Loads& loads, const Configuration& c
 
 /// Contact of one node with one tool: constraint row, normal force, friction, stiffness.
 void evaluate_point(const Model& model, const ContactPoint& start, const Tool& tool, std::size_t i,
-                    const NodeVector& residual, Scratch& s, ContactPoint& point) {
+                    const NodeVector& residual, bool freeze_friction, Scratch& s, ContactPoint& point) {
   Trial& trial = s.trial;
   const auto at = static_cast<Eigen::Index>(kDofs * i);
   const SlavePoint slave = make_slave_point(trial.configuration, i, tool);
   point.normal_force = point.held_row < 0 ? 0.0 : -s.bases[i].transform().col(point.held_row).dot(residual);  // t_N, mechanics 9.1
+  if (!freeze_friction || point.friction_normal <= 0.0) point.friction_normal = point.normal_force;
   const FrictionResult friction =
-      calc_friction(start.friction, point.position - point.anchor, point.foot.normal, point.normal_force,
+      calc_friction(start.friction, point.position - point.anchor, point.foot.normal, point.friction_normal,
                     tool.friction, calc_stick_stiffness(model, trial.area[i]));
   point.friction = friction.force;
   point.status = friction.is_slipping ? ContactStatus::kSlip : ContactStatus::kStick;
@@ -130,7 +131,8 @@ void search_contacts(const Model& model, const Loads& loads, Scratch& s) {
   }
 }
 
-void evaluate_contacts(const Model& model, const State& state, const Loads& loads, Scratch& s) {
+void evaluate_contacts(const Model& model, const State& state, const Loads& loads, bool freeze_friction,
+                       Scratch& s) {
   const PhaseTimer timer(s.times.search);
   Trial& trial = s.trial;
   trial.friction.setZero();
@@ -160,7 +162,7 @@ void evaluate_contacts(const Model& model, const State& state, const Loads& load
     const NodeVector r = residual.segment<kDofs>(static_cast<Eigen::Index>(kDofs * i));
     for (std::size_t t = 0; t < model.tools.size(); ++t) {
       ContactPoint& point = trial.contacts[t][i];
-      if (point.is_active()) evaluate_point(model, state.contacts[t][i], model.tools[t], i, r, s, point);
+      if (point.is_active()) evaluate_point(model, state.contacts[t][i], model.tools[t], i, r, freeze_friction, s, point);
     }
   }
 }
@@ -195,6 +197,7 @@ SetChange update_contact_set(const Model& model, const State& state, const Loads
         point.anchor = calc_anchor(state.contacts[t][i], point);
         point.status = ContactStatus::kStick;
         point.friction.setZero();
+        point.friction_normal = 0.0;
         ++(point.is_releasing ? change.reclosed : change.touched);
         if (point.is_releasing) point.locked = 5;  // the fluid pushes it back: not a release
         point.is_releasing = false;

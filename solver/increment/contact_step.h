@@ -12,7 +12,11 @@ void search_contacts(const Model& model, const Loads& loads, Scratch& scratch);
 /// Normal forces from total equilibrium (mechanics 9.1), friction by return
 /// mapping, contact stiffness, and the local bases with what is prescribed:
 /// minus the gap at contact nodes, the support motions at supports.
-void evaluate_contacts(const Model& model, const State& state, const Loads& loads, Scratch& scratch);
+/// With `freeze_friction` the normal forces that bound the friction stay as they
+/// are: their coupling is unsymmetric and not in the tangent, and left free it
+/// would make the corrector creep. The bound is then behind by the last corrections only.
+void evaluate_contacts(const Model& model, const State& state, const Loads& loads, bool freeze_friction,
+                       Scratch& scratch);
 
 /// Smoothed contact pressure of a tool's patch at a node [MPa]: the node with
 /// half of each neighbour in contact, over the same areas (mechanics 9.4).

@@ -131,7 +131,7 @@ struct IncrementScene {                 // [increment]
   double max_penetration = 0.1;         // max_penetration: by which free nodes may overshoot a tool before the corrector, of the thickness
   std::string corrector = "newton";     // none | one_step_behind | algoneq | newton
   double r_safe = 2.0;                  // r_safe: one_step_behind
-  double tolerance = 1e-4;              // tolerance: out-of-balance force against the reference force
+  double tolerance = 5e-4;              // tolerance: out-of-balance force against the reference force
   int max_iterations = 12;              // max_iterations
 };
 
