@@ -9,6 +9,7 @@
 
 #include <cerrno>
 #include <cmath>
+#include <cstdio>
 #include <cstring>
 #include <memory>
 #include <string_view>
@@ -42,7 +43,7 @@ int run_program(const std::vector<std::string>& words) {
   return WIFEXITED(status) ? WEXITSTATUS(status) : 128;
 }
 
-void write_mp4(const std::string& directory, const std::string& view, double frames_per_second,
+void write_mp4(const std::string& directory, const std::string& view, int frames, double frames_per_second,
                const std::string& file) {
   const std::string temporary = directory + "/." + view + ".part.mp4";
   const int code = run_program({"ffmpeg",
@@ -52,8 +53,12 @@ void write_mp4(const std::string& directory, const std::string& view, double fra
                                 "error",
                                 "-framerate",
                                 std::to_string(frames_per_second),
+                                "-start_number",
+                                "1",
                                 "-i",
                                 directory + "/" + view + "/%05d.png",
+                                "-frames:v",
+                                std::to_string(frames),
                                 "-vf",
                                 "pad=ceil(iw/2)*2:ceil(ih/2)*2",
                                 "-c:v",
@@ -136,9 +141,14 @@ void check_animation(const std::string& kind, double frames_per_second) {
 std::string make_animation(const std::string& directory, const std::string& view, int frames,
                            const std::string& kind, double frames_per_second) {
   require(frames > 0, "an animation has at least one frame");
+  // ffmpeg would end the film at the first hole without a word.
+  for (int number = 1; number <= frames; ++number) {
+    const std::string frame = make_frame_name(directory, view, number) + ".png";
+    if (access(frame.c_str(), R_OK) != 0) throw EnvironmentError("the animation lacks its frame " + frame);
+  }
   const std::string file = directory + "/" + view + "." + kind;
   if (kind == "mp4")
-    write_mp4(directory, view, frames_per_second, file);
+    write_mp4(directory, view, frames, frames_per_second, file);
   else
     write_webp(directory, view, frames, frames_per_second, file);
   return file;

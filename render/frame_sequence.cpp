@@ -120,6 +120,7 @@ void FrameSequence::Impl::check_options() const {
       throw InputError("view '" + view + "' is unknown; there are " + join(view_names()));
   for (const auto& [name, range] : options.ranges)
     if (!(range.low < range.high)) throw InputError("the range of '" + name + "' is empty");
+  if (options.smoothing < 1 || options.smoothing > 4) throw InputError("smoothing is a factor of 1 to 4");
   check_camera(options, options.look_at_node + 1);  // the number of nodes is not known yet
   check_animation(options.animation, options.frames_per_second);
 }

@@ -40,6 +40,7 @@ void JsonText::add(const std::string& key, const std::vector<double>& numbers) {
 }
 
 void JsonText::add(const std::string& key, const JsonText& object) {
+  if (object.body_.empty()) return add_raw(key, "{}");
   std::string nested = "{\n" + object.body_ + "\n}";
   for (std::size_t at = nested.find('\n'); at != std::string::npos; at = nested.find('\n', at + 3))
     nested.insert(at + 1, "  ");

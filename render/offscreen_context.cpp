@@ -6,16 +6,15 @@
 #include <GL/osmesa.h>
 #include <dlfcn.h>
 #include <vtkActor.h>                      // VTK::RenderingCore
-#include <vtkCallbackCommand.h>            // VTK::CommonCore
 #include <vtkCamera.h>                     // VTK::RenderingCore
 #include <vtkGenericOpenGLRenderWindow.h>  // VTK::RenderingOpenGL2
 #include <vtkNew.h>                        // VTK::CommonCore
+#include <vtkOpenGLFramebufferObject.h>    // VTK::RenderingOpenGL2
+#include <vtkOpenGLState.h>                // VTK::RenderingOpenGL2
 #include <vtkPlaneSource.h>                // VTK::FiltersSources
 #include <vtkPolyDataMapper.h>             // VTK::RenderingCore
 #include <vtkProperty.h>                   // VTK::RenderingCore
 #include <vtkRenderer.h>                   // VTK::RenderingCore
-#include <vtkRendererCollection.h>         // VTK::RenderingCore
-#include <vtkUnsignedCharArray.h>          // VTK::CommonCore
 
 #include <cstdlib>
 #include <cstring>
@@ -199,11 +198,12 @@ struct OffscreenContext::Impl {
   ~Impl();
 
   Image draw(int reduction);
+  void read_pixels(int width, int height);
   void self_test();
 
   CurrentContext context;  // first: outlives the window that draws with it
   vtkNew<vtkGenericOpenGLRenderWindow> window;
-  vtkNew<vtkUnsignedCharArray> pixels;
+  std::vector<std::uint8_t> pixels;
   RendererInfo info;
 };
 
@@ -239,10 +239,22 @@ Image OffscreenContext::Impl::draw(int reduction) {
     throw EnvironmentError("the software renderer's context was lost");
   window->Render();
   const int* size = window->GetSize();
-  window->GetRGBACharPixelData(0, 0, size[0] - 1, size[1] - 1, 0, pixels);
+  read_pixels(size[0], size[1]);
   const std::string messages = take_vtk_messages();
   if (!messages.empty()) throw EnvironmentError("drawing failed: " + messages);
-  return reduced(pixels->GetPointer(0), size[0] / reduction, size[1] / reduction, reduction);
+  return reduced(pixels.data(), size[0] / reduction, size[1] / reduction, reduction);
+}
+
+/// Straight from the buffer drawn into: VTK's own reading copies it twice before.
+void OffscreenContext::Impl::read_pixels(int width, int height) {
+  pixels.resize(4u * static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+  vtkOpenGLFramebufferObject& buffer = *window->GetRenderFramebuffer();
+  window->GetState()->PushReadFramebufferBinding();
+  buffer.Bind(vtkOpenGLFramebufferObject::GetReadMode());
+  buffer.ActivateReadBuffer(0);
+  glPixelStorei(GL_PACK_ALIGNMENT, 1);
+  glReadPixels(0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE, pixels.data());
+  window->GetState()->PopReadFramebufferBinding();
 }
 
 /// A red square in front of a blue ground with a known place for each.

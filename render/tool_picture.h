@@ -13,7 +13,7 @@ struct ToolPictureOptions {
   std::array<int, 2> size{1280, 720};       ///< [px]
   std::string theme = "light";              ///< light | dark
   double azimuth = 35.0, elevation = 25.0;  ///< [deg] as FrameOptions
-  std::vector<std::string> notes;           ///< lines of the health report, beside the picture
+  std::vector<std::string> notes{};         ///< lines of the health report, beside the picture
 };
 
 /// Picture of a tool for its health report: facets coloured by the angle against

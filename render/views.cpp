@@ -176,7 +176,10 @@ void Views::update_tools(const Snapshot& snapshot, const Plane& cut) {
 }
 
 void Views::add_wall(DrawList& list, const Snapshot& snapshot, const std::optional<NodePaint>& paint) const {
-  list.surfaces.push_back({.surface = share(sheet_.make_wall(snapshot, paint)), .colour = theme_.sheet});
+  // A closed solid: its polygons are seen from outside or not at all.
+  list.surfaces.push_back({.surface = share(sheet_.make_wall(snapshot, paint)),
+                           .colour = theme_.sheet,
+                           .faces = SurfaceItem::Faces::kFront});
   if (options_.is_flat) return;
   list.lines.push_back({.lines = share(sheet_.make_rim(snapshot)), .colour = theme_.line, .width = 1.3});
   if (options_.element_edges)

@@ -14,24 +14,38 @@ Image make_image(int width, int height, Rgb colour) {
   return image;
 }
 
+namespace {
+
+/// Adds one row, `factor` pixels into one. The usual factors are constants to the compiler.
+template <int kFactor>
+void add_row(const std::uint8_t* source, std::vector<std::uint16_t>& sums, int factor) {
+  const int count = kFactor > 0 ? kFactor : factor;
+  for (std::size_t x = 0; x < sums.size(); x += 4)
+    for (int k = 0; k < count; ++k, source += 4)
+      for (std::size_t c = 0; c < 4; ++c) sums[x + c] = static_cast<std::uint16_t>(sums[x + c] + source[c]);
+}
+
+}  // namespace
+
 Image reduced(const std::uint8_t* rows_from_below, int width, int height, int factor) {
   require(factor >= 1 && factor <= 8, "reduction factor between 1 and 8");
-  Image image = make_image(width, height, {0, 0, 0});
+  Image image{width, height, {}};
+  image.rgba.resize(4u * static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
   const auto source_row = 4u * static_cast<std::size_t>(width) * static_cast<std::size_t>(factor);
-  const unsigned weight = static_cast<unsigned>(factor * factor);
-  std::vector<unsigned> sums(4u * static_cast<std::size_t>(width));
+  const auto weight = static_cast<std::uint16_t>(factor * factor);
+  std::vector<std::uint16_t> sums(4u * static_cast<std::size_t>(width));
+  const auto add = factor == 1 ? add_row<1> : factor == 2 ? add_row<2> : add_row<0>;
   for (int y = 0; y < height; ++y) {
     sums.assign(sums.size(), weight / 2);
     const auto first = static_cast<std::size_t>(height - 1 - y) * static_cast<std::size_t>(factor);
-    for (std::size_t row = first; row < first + static_cast<std::size_t>(factor); ++row) {
-      const std::uint8_t* source = rows_from_below + row * source_row;
-      for (std::size_t x = 0; x < sums.size(); x += 4)
-        for (int k = 0; k < factor; ++k, source += 4)
-          for (std::size_t c = 0; c < 3; ++c) sums[x + c] += source[c];
-    }
+    for (std::size_t row = first; row < first + static_cast<std::size_t>(factor); ++row)
+      add(rows_from_below + row * source_row, sums, factor);
     std::uint8_t* target = image.pixel(0, y);
-    for (std::size_t x = 0; x < sums.size(); x += 4)
-      for (std::size_t c = 0; c < 3; ++c) target[x + c] = static_cast<std::uint8_t>(sums[x + c] / weight);
+    if (factor == 2)
+      for (std::size_t i = 0; i < sums.size(); ++i) target[i] = static_cast<std::uint8_t>(sums[i] / 4);
+    else
+      for (std::size_t i = 0; i < sums.size(); ++i) target[i] = static_cast<std::uint8_t>(sums[i] / weight);
+    for (std::size_t x = 3; x < sums.size(); x += 4) target[x] = 255;
   }
   return image;
 }

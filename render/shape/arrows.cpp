@@ -11,7 +11,7 @@
 namespace hydroscope {
 namespace {
 
-constexpr int kSides = 8;            // of the drawn prism and cone: round enough at arrow size
+constexpr int kSides = 6;            // of the drawn prism and cone: round enough at arrow size
 constexpr double kHeadLength = 1.6;  // of the head's diameter
 constexpr double kShaft = 0.38;      // shaft's diameter, of the head's
 
@@ -46,7 +46,7 @@ void add_arrow(Surface& surface, const Arrow& arrow, double width) {
   const Vec3 tip = arrow.start + arrow.span;
   const auto value = static_cast<float>(arrow.value);
   add_frustum(surface, arrow.start, kShaft * radius, neck, kShaft * radius, frame, value);
-  add_frustum(surface, neck, radius, neck, kShaft * radius, frame, value);
+  add_frustum(surface, neck, kShaft * radius, neck, radius, frame, value);  // the head's back
   add_frustum(surface, neck, radius, tip, 0.0, frame, value);
 }
 

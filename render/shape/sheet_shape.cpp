@@ -120,6 +120,13 @@ void WallBuilder::add_rim_quad(int a, int b) {
 
 SheetShape::SheetShape(const Snapshot& first, bool is_mirrored) : quads_(first.model->quads) {
   check_snapshot(first);
+  // The faces are told apart by the directors; a mesh listed the other way round would be inside out.
+  const std::vector<Vec3> normals = calc_normals(first);
+  double agreement = 0.0;
+  for (std::size_t node = 0; node < normals.size(); ++node)
+    agreement += normals[node].dot(first.directors[node]);
+  if (agreement < 0.0)
+    for (auto& quad : quads_) std::swap(quad[1], quad[3]);
   if (is_mirrored) mirrors_ = first.model->mirrors;
   reflections_ = calc_reflections(mirrors_);
   const double tolerance = 1e-6 * calc_bounds(first, {Reflection{}}).diagonal();

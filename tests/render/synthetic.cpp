@@ -52,7 +52,9 @@ SnapshotModel::Tool make_die(const SyntheticBulge& bulge) {
     }
   die.normals.assign(die.mesh.points.size(), Vec3::Zero());
   for (const auto& t : die.mesh.triangles) {
-    const auto x = [&](int k) { return die.mesh.points[static_cast<std::size_t>(t[static_cast<std::size_t>(k)])]; };
+    const auto x = [&](int k) {
+      return die.mesh.points[static_cast<std::size_t>(t[static_cast<std::size_t>(k)])];
+    };
     for (int node : t) die.normals[static_cast<std::size_t>(node)] += (x(1) - x(0)).cross(x(2) - x(0));
   }
   for (Vec3& n : die.normals) n.normalize();
@@ -69,13 +71,14 @@ std::shared_ptr<const SnapshotModel> SyntheticBulge::make_model() const {
       const int a = j * (around + 1) + i, b = a + around + 1;
       model->quads.push_back({a, a + 1, b + 1, b});
     }
-  model->mirrors = {{Vec3::Zero(), Vec3::UnitX()}, {Vec3::Zero(), Vec3::UnitY()}, {Vec3::Zero(), Vec3::UnitZ()}};
+  model->mirrors = {
+      {Vec3::Zero(), Vec3::UnitX()}, {Vec3::Zero(), Vec3::UnitY()}, {Vec3::Zero(), Vec3::UnitZ()}};
   if (has_die) model->tools.push_back(make_die(*this));
   return model;
 }
 
-std::shared_ptr<Snapshot> SyntheticBulge::make_snapshot(std::shared_ptr<const SnapshotModel> model, double progress,
-                                                        int increment) const {
+std::shared_ptr<Snapshot> SyntheticBulge::make_snapshot(std::shared_ptr<const SnapshotModel> model,
+                                                        double progress, int increment) const {
   auto s = std::make_shared<Snapshot>();
   s->model = std::move(model);
   s->increment = increment;
@@ -87,7 +90,8 @@ std::shared_ptr<Snapshot> SyntheticBulge::make_snapshot(std::shared_ptr<const Sn
     for (int i = 0; i <= around; ++i) {
       const double angle = 0.5 * kPi * i / around, z = 0.5 * length * j / along - s->feed * j / along;
       const double die = calc_die_radius(*this, angle, z) - 0.5 * thickness;
-      const double blown = radius + (1.5 * half_width - radius) * progress * std::pow(std::cos(kPi * z / length), 2);
+      const double blown =
+          radius + (1.5 * half_width - radius) * progress * std::pow(std::cos(kPi * z / length), 2);
       const double gap = std::max(0.0, die - blown);
       const double r = std::min(die, blown);
       const Vec3 out(std::cos(angle), std::sin(angle), 0.0), around_axis(-out.y(), out.x(), 0.0);
@@ -105,11 +109,13 @@ std::shared_ptr<Snapshot> SyntheticBulge::make_snapshot(std::shared_ptr<const Sn
       s->contact_tool.push_back(touches && has_die ? 0 : -1);
       s->gap.push_back(gap < 3.0 ? gap : nan);
       s->contact_pressure.push_back(touches ? s->pressure * std::min(1.0, 0.3 * pressed) : 0.0);
-      s->contact_force.push_back(touches ? Vec3(-s->contact_pressure.back() * 4.0 * out) : Vec3(Vec3::Zero()));
+      s->contact_force.push_back(touches ? Vec3(-s->contact_pressure.back() * 4.0 * out)
+                                         : Vec3(Vec3::Zero()));
       s->tool_normal.push_back(touches ? Vec3(-out) : Vec3(Vec3::Zero()));
       const double slide = touches ? 1.4 * strain * std::sin(2.0 * angle) : 0.0;
       s->slip.push_back(slide * around_axis - (touches ? 0.5 * s->feed * j / along : 0.0) * Vec3::UnitZ());
-      s->slip_increment.push_back(c == ContactClass::kSlip ? Vec3(0.04 * s->slip.back()) : Vec3(Vec3::Zero()));
+      s->slip_increment.push_back(c == ContactClass::kSlip ? Vec3(0.04 * s->slip.back())
+                                                           : Vec3(Vec3::Zero()));
     }
   if (has_die) s->tool_translation.push_back(Vec3::Zero());
   s->quantities["r45_mm"] = 9.0;

@@ -10,8 +10,8 @@ namespace hydroscope {
 /// A round tube that bulges into a square die with rounded corners: no
 /// mechanics, only fields that look and vary like a run's.
 struct SyntheticBulge {
-  int around = 20;  ///< elements over the quarter
-  int along = 24;   ///< elements over the half length
+  int around = 20;                                        ///< elements over the quarter
+  int along = 24;                                         ///< elements over the half length
   double radius = 30.0, length = 120.0, thickness = 1.5;  ///< [mm]
   double half_width = 36.0, corner = 9.0;                 ///< of the die [mm]
   bool has_die = true;
