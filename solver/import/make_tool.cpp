@@ -78,7 +78,8 @@ std::shared_ptr<const ToolSurface> make_tool_surface(const ToolScene& scene, con
                                                      const std::string& scene_directory,
                                                      double display_extent) {
   if (scene.shape == "mesh") {
-    const MeshSurfaceOptions options{parse_normal_rule(scene.normals), scene.crease_angle};
+    const MeshSurfaceOptions options{parse_normal_rule(scene.normals), scene.crease_angle,
+                                     scene.surface == "smooth"};
     return std::make_shared<MeshSurface>(make_tool_mesh(scene, name, scene_directory), options);
   }
   if (scene.shape == "plane") {

@@ -49,7 +49,7 @@ std::string to_lower(std::string_view text) {
   return lower;
 }
 
-/// Words of a line, without what follows a '#'.
+/// Words of a line, without a comment: a word that begins with '#' and what follows it.
 std::vector<std::string_view> split_words(std::string_view line) {
   std::vector<std::string_view> words;
   const auto is_space = [](char c) { return std::isspace(static_cast<unsigned char>(c)) != 0; };
@@ -59,7 +59,7 @@ std::vector<std::string_view> split_words(std::string_view line) {
       continue;
     }
     std::size_t end = i;
-    while (end < line.size() && !is_space(line[end]) && line[end] != '#') ++end;
+    while (end < line.size() && !is_space(line[end])) ++end;
     words.push_back(line.substr(i, end - i));
     i = end;
   }
@@ -119,17 +119,34 @@ void check_stl_line(const std::string& path, const std::vector<std::string_view>
     }
     stl.is_in_facet = false;
     ++stl.facets;
+  } else if (stl.is_in_facet && word != "outer" && word != "endloop" && word != "endsolid") {
+    refuse_mesh_file(path, in_line(stl.line) + "\"" + word.substr(0, 40) + "\" inside a facet");
   } else if (word == "endsolid") {
     if (stl.is_in_facet) refuse_mesh_file(path, in_line(stl.line) + "endsolid inside a facet");
     stl.is_closed = true;
   }
 }
 
-std::size_t check_text_stl(const std::string& path, const std::string& content) {
+/// Facet normals are not used, and some programs write what no reader takes for a number
+/// ("-nan(ind)"): puts zeros in their place.
+void blank_normal(const std::string& path, const std::vector<std::string_view>& words, std::size_t line,
+                  std::string& content) {
+  if (words.size() != 5 || to_lower(words[1]) != "normal") {
+    refuse_mesh_file(path, in_line(line) + "expected \"facet normal\" and three numbers");
+  }
+  for (std::size_t k = 2; k < 5; ++k) {
+    const auto start = static_cast<std::size_t>(words[k].data() - content.data());
+    std::fill_n(content.begin() + static_cast<std::ptrdiff_t>(start), words[k].size(), ' ');
+    content[start] = '0';
+  }
+}
+
+std::size_t check_text_stl(const std::string& path, std::string& content) {
   TextStl stl;
   for_each_line(content, [&](const std::vector<std::string_view>& words, std::size_t line) {
     stl.line = line;
     check_stl_line(path, words, stl);
+    if (to_lower(words[0]) == "facet") blank_normal(path, words, line, content);
   });
   if (stl.is_in_facet) refuse_mesh_file(path, "truncated STL: the last facet is not complete");
   if (stl.facets == 0) refuse_mesh_file(path, "text STL without a facet");
@@ -159,7 +176,7 @@ bool looks_like_text(const std::string& content) {
                       [](char c) { return c == '\0' || static_cast<unsigned char>(c) > 0xF4; });
 }
 
-std::size_t check_stl(const std::string& path, const std::string& content) {
+std::size_t check_stl(const std::string& path, std::string& content) {
   static_assert(std::endian::native == std::endian::little, "STL is little-endian");
   std::uint32_t facets = 0;
   const bool has_header = content.size() >= kStlHeader;
@@ -179,38 +196,48 @@ std::size_t check_stl(const std::string& path, const std::string& content) {
                              std::to_string(there));
 }
 
-/// Checks one "f" line of an OBJ: numbers of points that exist.
-void check_obj_face(const std::string& path, std::size_t line, const std::vector<std::string_view>& words,
-                    std::size_t points) {
-  if (words.size() < 4) refuse_mesh_file(path, in_line(line) + "a face needs at least three points");
-  for (std::size_t k = 1; k < words.size(); ++k) {
-    const std::string_view word = words[k].substr(0, words[k].find('/'));
-    long index = 0;
-    const auto [end, code] = std::from_chars(word.data(), word.data() + word.size(), index);
-    const long count = static_cast<long>(points);
-    const bool is_number = code == std::errc() && end == word.data() + word.size();
-    if (!is_number || index == 0 || index > count || index < -count) {
-      refuse_mesh_file(path, in_line(line) + "face with point \"" + std::string(words[k].substr(0, 40)) +
-                                 "\", there are " + std::to_string(points));
+/// How many points, texture points and normals an OBJ has given so far.
+using ObjCounts = std::array<long, 3>;
+
+/// Checks one corner of a face, "point", "point/texture", "point//normal" or "point/texture/normal".
+bool is_obj_corner(std::string_view corner, const ObjCounts& counts) {
+  for (std::size_t slot = 0; slot < 3; ++slot) {
+    const std::size_t slash = std::min(corner.find('/'), corner.size());
+    const std::string_view word = corner.substr(0, slash);
+    if (!word.empty() || slot == 0) {
+      long index = 0;
+      const auto [end, code] = std::from_chars(word.data(), word.data() + word.size(), index);
+      const bool is_number = code == std::errc() && end == word.data() + word.size();
+      if (!is_number || index == 0 || std::abs(index) > counts[slot]) return false;
     }
+    if (slash == corner.size()) return true;
+    corner.remove_prefix(slash + 1);
   }
+  return false;
 }
 
 std::size_t check_obj(const std::string& path, const std::string& content) {
   if (content.find('\0') != std::string::npos) refuse_mesh_file(path, "binary data, an OBJ file is text");
-  std::size_t points = 0;
+  ObjCounts counts{};
   std::size_t faces = 0;
   for_each_line(content, [&](const std::vector<std::string_view>& words, std::size_t line) {
     if (words[0] == "v") {
       if (words.size() < 4) refuse_mesh_file(path, in_line(line) + "a point needs three coordinates");
       for (std::size_t k = 1; k < 4; ++k) check_coordinate(path, line, words[k]);
-      ++points;
+      ++counts[0];
+    } else if (words[0] == "vt" || words[0] == "vn") {
+      ++counts[words[0] == "vt" ? 1 : 2];
     } else if (words[0] == "f") {
-      check_obj_face(path, line, words, points);
+      if (words.size() < 4) refuse_mesh_file(path, in_line(line) + "a face needs at least three points");
+      for (std::size_t k = 1; k < words.size(); ++k) {
+        if (is_obj_corner(words[k], counts)) continue;
+        refuse_mesh_file(path, in_line(line) + "face with point \"" + std::string(words[k].substr(0, 40)) +
+                                   "\", there are " + std::to_string(counts[0]));
+      }
       ++faces;
     }
   });
-  if (points == 0) refuse_mesh_file(path, "text that is no mesh: no points (\"v x y z\") in the OBJ file");
+  if (counts[0] == 0) refuse_mesh_file(path, "text that is no mesh: no points (\"v x y z\") in the OBJ file");
   if (faces == 0) refuse_mesh_file(path, "no facets (\"f 1 2 3\") in the OBJ file");
   return faces;
 }
@@ -218,7 +245,12 @@ std::size_t check_obj(const std::string& path, const std::string& content) {
 }  // namespace
 
 void refuse_mesh_file(const std::string& path, const std::string& what) {
-  throw InputError(path + ": " + what);
+  // Broken files are quoted: no control codes for the terminal, and no pages of them.
+  std::string shown = what.substr(0, 200);
+  for (char& c : shown) {
+    if (c < ' ' || c > '~') c = '?';
+  }
+  throw InputError(path + ": " + shown);
 }
 
 MeshFile read_mesh_file(const std::string& path) {

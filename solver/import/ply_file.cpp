@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <array>
 #include <bit>
+#include <charconv>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
@@ -73,6 +74,9 @@ Header read_header(const std::string& path, const std::string& content) {
       header.elements.push_back(element);
     }
     if (word == "end_header") break;
+    const bool is_known = word.empty() || word == "ply" || word == "format" || word == "property" ||
+                          word == "element" || word == "comment" || word == "obj_info";
+    if (!is_known) refuse_mesh_file(path, "damaged PLY header: \"" + word.substr(0, 40) + "\"");
   }
   header.end = at;
   return header;
@@ -92,11 +96,10 @@ class Numbers {
     if (is_text_) {
       std::string word;
       if (!(text_ >> word)) return std::nullopt;
-      try {
-        return std::stod(word);
-      } catch (const std::exception&) {
-        return std::numeric_limits<double>::quiet_NaN();
-      }
+      double value = 0.0;
+      const auto [end, code] = std::from_chars(word.data(), word.data() + word.size(), value);
+      if (end != word.data() + word.size()) return std::numeric_limits<double>::quiet_NaN();
+      return code == std::errc() ? value : 0.0;  // out of range: judged after reading
     }
     const auto size = static_cast<std::size_t>(find_type_size(type));
     if (content_.size() - at_ < size) return std::nullopt;
@@ -145,8 +148,16 @@ class PlyCheck {
       // Without a size in bytes, the announced number could not be checked against the file.
       if (element.properties.empty())
         refuse_mesh_file(path_, "damaged PLY header: element without properties");
-      if (element.name == "vertex") points_ = element.count;
-      if (element.name == "face") faces_ = element.count;
+      if (element.name == "vertex") {
+        points_ = element.count;
+        int places = 0;
+        for (const Property& p : element.properties)
+          places += p.name == "x" || p.name == "y" || p.name == "z";
+        if (places != 3) refuse_mesh_file(path_, "PLY with points without x, y and z");
+      }
+      if (element.name != "face") continue;
+      if (points_ == 0) refuse_mesh_file(path_, "PLY with no points before its facets");
+      faces_ = element.count;
     }
     if (points_ == 0) refuse_mesh_file(path_, "PLY with no points");
     if (faces_ == 0) refuse_mesh_file(path_, "PLY with no facets");

@@ -91,6 +91,8 @@ TEST(BadMeshFile, TextStlWithOddFacets) {
                  "line 7: a facet with 2 vertices, expected 3");
   expect_refused("die.stl", replaced(whole, "endfacet", ""), "facet inside a facet");
   expect_refused("die.stl", replaced(whole, "facet normal", "fact normal"), "vertex outside a facet");
+  expect_refused("die.stl", replaced(whole, "facet normal 0", "facet normal"),
+                 "expected \"facet normal\" and three");
   expect_refused("die.stl", replaced(whole, "vertex 0 0 0", "vertex 0 0"),
                  "line 4: a vertex needs three coordinates");
 }
@@ -116,6 +118,7 @@ TEST(BadMeshFile, ObjDefects) {
   expect_refused("die.obj", whole + "f 1 2 9\n", "line 9: face with point \"9\", there are 4");
   expect_refused("die.obj", whole + "f 0 1 2\n", "face with point \"0\"");
   expect_refused("die.obj", whole + "f -9 1 2\n", "face with point \"-9\"");
+  expect_refused("die.obj", whole + "f 1/1 2/1 3/1\n", "face with point \"1/1\"");
   expect_refused("die.obj", whole + "f 1 2\n", "a face needs at least three points");
   expect_refused("die.obj", "v 0 nan 0\n" + whole, "line 1: coordinate is nan");
   expect_refused("die.obj", "v 0 1\n" + whole, "line 1: a point needs three coordinates");
@@ -140,6 +143,15 @@ TEST(BadMeshFile, PlyDefects) {
   expect_refused("die.ply", replaced(text, "3 0 2 1", "2 0 2"), "face 0: a facet needs three points");
   expect_refused("die.ply", replaced(text, "0 1 0", "0 nan 0"), "point 2: coordinate is not a finite number");
   expect_refused("die.ply", replaced(text, "ascii", "morse"), "unknown format");
+}
+
+TEST(BadMeshFile, MessagesHoldNoControlCodes) {
+  const std::string message = [&] {
+    const Folder folder;
+    return read_and_catch(folder.write("die.obj", "v 0 \x1b[31m\x07 0\nf 1 1 1\n"));
+  }();
+  EXPECT_THAT(message, HasSubstr("is not a number"));
+  for (char c : message) EXPECT_TRUE(c >= ' ' && c <= '~');
 }
 
 TEST(BadMeshFile, FacetsWithoutArea) {

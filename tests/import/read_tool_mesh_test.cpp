@@ -91,6 +91,16 @@ TEST(ReadToolMesh, JoinsTheSolidsOfATextStl) {
   EXPECT_EQ(read_tool_mesh(folder.write("two.stl", content), 1.0).mesh.triangles.size(), 8u);
 }
 
+TEST(ReadToolMesh, DoesNotMindTheNormalsOfAnStl) {
+  const Folder folder;
+  std::string content = make_text_stl(test::make_tetrahedron(), "t");
+  for (const char* odd : {"-nan(ind)", "1.#QNAN", "inf"}) {
+    const std::size_t at = content.find("facet normal") + 13;
+    content.replace(at, content.find(' ', at) - at, odd);
+    EXPECT_EQ(read_tool_mesh(folder.write("t.stl", content), 1.0).mesh.triangles.size(), 4u) << odd;
+  }
+}
+
 TEST(ReadToolMesh, DropsDegenerateAndDoubleFacets) {
   const Folder folder;
   TriangleMesh mesh = test::make_tetrahedron();
