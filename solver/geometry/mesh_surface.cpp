@@ -36,6 +36,7 @@ MeshSurface::MeshSurface(const TriangleMesh& mesh, const MeshSurfaceOptions& opt
       v[k] = corners.normals[at(corners.corners[f][k])];
     }
     prisms_.push_back(make_prism(x, v));
+    if (options.is_smooth && !keeps_facet_normals_) bend_edges(prisms_.back());
     require(prisms_.back().area2 > 0.0, "a tool surface needs facets with an area");
     area2 += prisms_.back().area2;
   }

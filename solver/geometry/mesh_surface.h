@@ -16,6 +16,7 @@ namespace hydroscope {
 struct MeshSurfaceOptions {
   NormalRule normals = NormalRule::area;
   double crease_angle = 40.0;  ///< [deg]; normals are not averaged over sharper edges
+  bool is_smooth = false;      ///< facets bent to fit their node normals, see bend_edges()
 };
 
 /// A tool surface of flat triangles with averaged node normals (method 2), searched

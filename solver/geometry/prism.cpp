@@ -43,6 +43,14 @@ Prism make_prism(const std::array<Vec3, 3>& corners, const std::array<Vec3, 3>& 
   return prism;
 }
 
+void bend_edges(Prism& prism) {
+  for (int k = 0; k < 3; ++k) {
+    const int i = (k + 1) % 3, j = (k + 2) % 3;
+    const Vec3 chord = prism.corner(j) - prism.corner(i);
+    prism.bend[static_cast<std::size_t>(k)] = 0.5 * (prism.corner_normal(i) - prism.corner_normal(j)).dot(chord);
+  }
+}
+
 PrismPoint locate_in_prism(const Prism& prism, const Vec3& x) {
   const Vec3 from_x3 = x - prism.x3;
   PrismPoint at{1.0 / 3.0, 1.0 / 3.0, prism.normal.dot(from_x3), false};
@@ -80,6 +88,17 @@ FootPoint make_foot_point(const Prism& prism, const PrismPoint& at, const Vec3& 
   const Mat3 dm_dx = prism.d1 * dl1_dx.transpose() + prism.d2 * dl2_dx.transpose();  // (4.30)
   foot.normal_gradient = (dm_dx - foot.normal * (foot.normal.transpose() * dm_dx)) / size;
   foot.gap_gradient = size * dg_dx + at.g * (dm_dx.transpose() * foot.normal);
+  // The smooth surface rises over the facet by -sum bend l_i l_j along the normal.
+  const std::array<double, 3> l{at.l1, at.l2, at.l(2)};
+  const std::array<Vec3, 3> dl{dl1_dx, dl2_dx, -dl1_dx - dl2_dx};
+  double sink = 0.0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::size_t a = (k + 1) % 3, b = (k + 2) % 3;
+    sink += prism.bend[k] * l[a] * l[b];
+    foot.gap_gradient += prism.bend[k] * (l[b] * dl[a] + l[a] * dl[b]);
+  }
+  foot.gap += sink;
+  foot.point -= sink * foot.normal;
   return foot;
 }
 

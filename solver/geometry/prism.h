@@ -19,10 +19,18 @@ struct Prism {
   Vec3 d1, d2;         // V1 - V3, V2 - V3
   Vec3 normal;         // unit normal of the facet
   double area2 = 0.0;  // |e1 x e2| [mm^2]
+  /// Rise of the smooth surface over the flat facet, -sum bend_k l_i l_j over the edges k opposite
+  /// to corner k [mm]; zero for flat facets. See bend_edges().
+  std::array<double, 3> bend{};
 
   Vec3 corner(int k) const { return k == 0 ? Vec3(x3 + e1) : k == 1 ? Vec3(x3 + e2) : x3; }
   Vec3 corner_normal(int k) const { return k == 0 ? Vec3(v3 + d1) : k == 1 ? Vec3(v3 + d2) : v3; }
 };
+
+/// Gives each edge the curve whose slopes at both ends fit the node normals best (after Nagata 2005,
+/// with one coefficient an edge: bend = (n_i - n_j) . (X_j - X_i) / 2). Gap and normal then agree to
+/// the second order of the facet angle, and the error of the surface falls from its 2nd to its 4th power.
+void bend_edges(Prism& prism);
 
 Prism make_prism(const std::array<Vec3, 3>& corners, const std::array<Vec3, 3>& normals);
 

@@ -11,8 +11,8 @@ namespace hydroscope {
 
 namespace {
 
-// Tension of a quarter of the fluid's share is no noise, whatever the neighbours carry.
-constexpr double kCertainTension = 0.25;
+// Tension as large as the fluid's share of the node is no noise, whatever the neighbours carry.
+constexpr double kCertainTension = 1.0;
 
 SlavePoint make_slave_point(const Configuration& c, std::size_t i, const Tool& tool) {
   return {c.triad[i], tool.side * 0.5 * c.thickness[i]};
@@ -49,9 +49,28 @@ void add_supports(const Model& model, const Loads& loads, const Configuration& c
       row.setZero();
       row[3] = t.v1.dot(axis);
       row[4] = t.v2.dot(axis);
-      basis.add_row(row, t.v.dot(d));
+      basis.add_row(row, -t.v.dot(d));
     }
   }
+}
+
+/// Do the node's supports leave it (almost) no way along `normal`?
+bool is_held_along(const Model& model, std::size_t i, const Vec3& normal) {
+  constexpr double kFree = 0.3;  // share of the normal that must be free
+  NodeBasis basis;
+  for (const Support& support : model.supports[i]) {
+    if (support.kind == Support::Kind::kClamp) continue;
+    NodeVector row = NodeVector::Zero();
+    row.head<3>() = support.direction;
+    basis.add_row(row, 0.0);
+  }
+  if (basis.n_held() == 0) return false;
+  basis.finish();
+  for (int k = basis.n_held(); k < kDofs; ++k) {
+    const NodeVector z = basis.transform().col(k);
+    if (z.head<3>().dot(normal) > kFree || z.head<3>().dot(normal) < -kFree) return false;
+  }
+  return true;
 }
 
 /// Contact of one node with one tool: constraint row, normal force, friction, stiffness.
@@ -154,6 +173,10 @@ void evaluate_contacts(const Model& model, const State& state, const Loads& load
       touches = true;
       const NodeVector row =
           calc_gap_row(make_slave_point(trial.configuration, i, model.tools[t]), point.foot.normal);
+      if (is_held_along(model, i, point.foot.normal)) {  // its support already decides: only the fibre could turn
+        point.held_row = -1;
+        continue;
+      }
       point.held_row = basis.add_row(row, -point.foot.gap, calc_wall_stiffness(model, trial.area[i]));
     }
     basis.finish();

@@ -96,6 +96,7 @@ struct ToolScene {                      // [tool.NAME]
   std::string file;                     // mesh: STL, OBJ, PLY; relative to the scene file
   double unit_scale = 1.0;              // mesh: file unit in mm (1 = file is in mm)
   std::string normals = "area";         // mesh: facet | plain | area | angle | max
+  std::string surface = "smooth";       // surface: mesh: smooth (facets bent to fit their normals) | facets
   double crease_angle = 40.0;           // crease_angle_deg: sharper edges are reported
   bool flip = false;                    // flip: turn all facets around
   std::array<double, 3> position{0, 0, 0};      // position_mm: moves the tool after rotation

@@ -295,6 +295,10 @@ SceneTable make_tool() {
               "How node normals average those of the facets around; `facet` leaves them as they are.")
               .one_of({"facet", "plain", "area", "angle", "max"})
               .when("shape", {"mesh"}),
+          key<&T::surface>("surface", "",
+                           "Facets bent to fit their node normals (second order, after Nagata), or flat as they are.")
+              .one_of({"smooth", "facets"})
+              .when("shape", {"mesh"}),
           key<&T::crease_angle>(
               "crease_angle_deg", "deg",
               "Normals are not averaged over edges sharper than this; such edges are reported.")
