@@ -44,10 +44,13 @@ std::string format_duration(double seconds) {
 
 std::string make_progress_bar(const IncrementReport& r, double end_time, double elapsed, int columns) {
   const double fraction = find_fraction(r.time, end_time);
-  const std::string figures = print(" %3.0f %%  %.2f MPa  inc %d  contact %d  %s  ", 100.0 * fraction,
-                                    r.pressure, r.increment, r.n_contact, to_string(r.limited_by)) +
-                              describe_time_left(fraction, elapsed);
-  const int room = std::clamp(columns - 3 - static_cast<int>(figures.size()), 0, 40);
+  const std::string counts = print(" %3.0f %%  %6.2f MPa  inc %-4d  contact %-5d  %-13s  ", 100.0 * fraction,
+                                   r.pressure, r.increment, r.n_contact, to_string(r.limited_by));
+  const std::string figures = counts + describe_time_left(fraction, elapsed);
+  // Room for the longest time left, so that the bar keeps its length.
+  const int time_left = static_cast<int>(std::string("1:00:00 left").size());
+  const int width = std::max(static_cast<int>(figures.size()), static_cast<int>(counts.size()) + time_left);
+  const int room = std::clamp(columns - 3 - width, 0, 40);
   std::string bar;
   if (room >= 5) {
     const auto done = static_cast<size_t>(std::lround(fraction * room));

@@ -9,6 +9,7 @@
 namespace hydroscope::test {
 namespace {
 
+using testing::EndsWith;
 using testing::HasSubstr;
 
 TEST(Progress, Durations) {
@@ -20,10 +21,16 @@ TEST(Progress, Durations) {
 TEST(Progress, BarSaysWhereTheRunIs) {
   IncrementReport report = make_report(5);
   report.pressure = 14.321;
-  const std::string bar = make_progress_bar(report, 1.0, 60.0, 100);
-  EXPECT_THAT(bar, HasSubstr("]  50 %  14.32 MPa  inc 5  contact 3  " +
-                             std::string(to_string(Limiter::kTouch)) + "  1:00 left"));
-  EXPECT_EQ(std::count(bar.begin(), bar.end(), '#'), std::count(bar.begin(), bar.end(), '.') - 1);
+  const std::string bar = make_progress_bar(report, 1.0, 60.0, 130);
+  EXPECT_THAT(bar, HasSubstr("]  50 %   14.32 MPa  inc 5     contact 3      touch"));
+  EXPECT_THAT(bar, EndsWith("1:00 left"));
+  EXPECT_EQ(bar.substr(0, 42), "[" + std::string(20, '#') + std::string(20, '.') + "]");
+}
+
+TEST(Progress, BarKeepsItsLength) {
+  const size_t end = make_progress_bar(make_report(1), 1.0, 60.0, 100).find(']');
+  EXPECT_EQ(make_progress_bar(make_report(9), 1.0, 60.0, 100).find(']'), end);
+  EXPECT_EQ(make_progress_bar(make_report(9), 1.0, 20000.0, 100).find(']'), end);
 }
 
 TEST(Progress, BarFitsNarrowTerminals) {
