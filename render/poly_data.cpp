@@ -74,13 +74,14 @@ void add_vectors(vtkPolyData& data, const char* name, const std::vector<Vec3>& v
 
 }  // namespace
 
-vtkSmartPointer<vtkPolyData> make_poly_data(const Surface& surface) {
+vtkSmartPointer<vtkPolyData> make_poly_data(const Surface& surface,
+                                            const std::vector<std::array<int, 4>>& polygons_wanted) {
   auto data = make_points(surface.points);
   auto normals = make_triples<vtkFloatArray>(surface.normals, "Normals");
   data->GetPointData()->SetNormals(normals);
   const vtkNew<vtkCellArray> polygons;
-  polygons->AllocateEstimate(count_of(surface.polygons), 4);
-  for (const auto& polygon : surface.polygons) {
+  polygons->AllocateEstimate(count_of(polygons_wanted), 4);
+  for (const auto& polygon : polygons_wanted) {
     const vtkIdType ids[4] = {polygon[0], polygon[1], polygon[2], polygon[3]};
     polygons->InsertNextCell(polygon[3] < 0 ? 3 : 4, ids);
   }
@@ -117,7 +118,8 @@ vtkSmartPointer<vtkPolyData> make_poly_data(const Snapshot& snapshot, bool is_mi
   mid_surface.polygons = snapshot.model->quads;
   for (std::size_t i = 0; i < snapshot.points.size(); ++i)
     mid_surface.normals[i] = snapshot.directors[i].cast<float>();
-  auto data = make_poly_data(calc_reflected(mid_surface, reflections));
+  const Surface whole = calc_reflected(mid_surface, reflections);
+  auto data = make_poly_data(whole, whole.polygons);
   add_scalars(*data, snapshot, reflections.size());
   add_vectors(*data, "contact_force_N", snapshot.contact_force, reflections);
   add_vectors(*data, "tool_normal", snapshot.tool_normal, reflections);

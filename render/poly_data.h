@@ -12,7 +12,9 @@ namespace hydroscope {
 
 /// Polygons with point normals and, as active point scalars, `value` (float) or
 /// `colour` (RGB): point data throughout, as some renderers drop cell colours.
-vtkSmartPointer<vtkPolyData> make_poly_data(const Surface& surface);
+/// `polygons` are those of the surface that are wanted.
+vtkSmartPointer<vtkPolyData> make_poly_data(const Surface& surface,
+                                            const std::vector<std::array<int, 4>>& polygons);
 vtkSmartPointer<vtkPolyData> make_poly_data(const LineSet& lines);
 
 /// The mid-surface with every nodal array under the names of the state files

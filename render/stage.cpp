@@ -39,11 +39,35 @@ vtkSmartPointer<vtkLookupTable> make_lookup(const ColourTable& colours, const Ra
   return lookup;
 }
 
+/// The polygons that show the wanted side towards the viewer. A parallel
+/// projection sees all of them from one direction, so the others need not be sent: half of the work.
+std::vector<std::array<int, 4>> find_seen(const Surface& surface, SurfaceItem::Faces faces,
+                                          const Vec3f& direction) {
+  if (faces == SurfaceItem::Faces::kAll) return surface.polygons;
+  const float sign = faces == SurfaceItem::Faces::kFront ? 1.0F : -1.0F;
+  std::vector<std::array<int, 4>> seen;
+  seen.reserve(surface.polygons.size());
+  for (const auto& polygon : surface.polygons) {
+    const auto x = [&](std::size_t k) -> const Vec3f& {
+      return surface.points[static_cast<std::size_t>(polygon[k])];
+    };
+    const Vec3f diagonal = x(2) - x(0);
+    const auto faces_viewer = [&](const Vec3f& area) { return sign * area.dot(direction) > 0.0F; };
+    // A warped quad may show one of its triangles only.
+    const bool is_seen = faces_viewer((x(1) - x(0)).cross(diagonal)) ||
+                         (polygon[3] >= 0 && faces_viewer(diagonal.cross(x(3) - x(0))));
+    if (is_seen) seen.push_back(polygon);
+  }
+  return seen;
+}
+
 /// One actor and what it shows now.
 struct Layer {
   vtkNew<vtkPolyDataMapper> mapper;
   vtkNew<vtkActor> actor;
   std::shared_ptr<const void> shape;
+  SurfaceItem::Faces faces = SurfaceItem::Faces::kAll;
+  Vec3f direction = Vec3f::Zero();
   const ColourTable* table = nullptr;
   Range range;
   bool is_cut = false;
@@ -80,10 +104,9 @@ struct Stage::Impl {
   Scene& scene(int slot);
   Layer& layer(Scene& scene, std::vector<std::unique_ptr<Layer>>& layers, std::size_t index);
   void show(Scene& scene, const DrawList& list, const Vec3& towards_viewer);
-  void show_surface(Layer& layer, const SurfaceItem& item, Scene& scene);
+  void show_surface(Layer& layer, const SurfaceItem& item, Scene& scene, const Vec3f& direction);
   void show_line(Layer& layer, const LineItem& item, Scene& scene, const Vec3& lift);
   void set_cut(Layer& layer, bool is_cut, Scene& scene);
-  void set_ground(Scene& scene, const Theme& theme);
   static void set_camera(Scene& scene, const CameraPose& pose);
 
   Options options;
@@ -93,7 +116,10 @@ struct Stage::Impl {
 
 Scene& Stage::Impl::scene(int slot) {
   const auto [place, is_new] = scenes.try_emplace(slot);
-  if (is_new) context.window().AddRenderer(place->second.renderer);
+  if (is_new) {
+    place->second.renderer->SetBackground(0.0, 0.0, 0.0);  // with alpha 0: see lay_on_ground
+    context.window().AddRenderer(place->second.renderer);
+  }
   // Taking a renderer out of the window would throw away what it has uploaded.
   for (auto& [other, scene] : scenes) scene.renderer->SetDraw(other == slot);
   return place->second;
@@ -120,11 +146,14 @@ void Stage::Impl::set_cut(Layer& layer, bool is_cut, Scene& scene) {
   if (is_cut) layer.mapper->AddClippingPlane(scene.cut);
 }
 
-void Stage::Impl::show_surface(Layer& layer, const SurfaceItem& item, Scene& scene) {
+void Stage::Impl::show_surface(Layer& layer, const SurfaceItem& item, Scene& scene, const Vec3f& direction) {
   vtkProperty& property = *layer.actor->GetProperty();
-  if (layer.shape != item.surface) {
+  if (layer.shape != item.surface || layer.faces != item.faces || layer.direction != direction) {
     layer.shape = item.surface;
-    layer.mapper->SetInputData(make_poly_data(*item.surface));
+    layer.faces = item.faces;
+    layer.direction = direction;
+    layer.mapper->SetInputData(
+        make_poly_data(*item.surface, find_seen(*item.surface, item.faces, direction)));
   }
   const bool has_values = !item.surface->values.empty() && item.table != nullptr;
   layer.mapper->SetScalarVisibility(has_values || !item.surface->colours.empty());
@@ -174,21 +203,14 @@ void Stage::Impl::show(Scene& scene, const DrawList& list, const Vec3& lift) {
     scene.cut->SetOrigin(list.cut->point.data());
     scene.cut->SetNormal(inward.data());
   }
+  const Vec3f direction = lift.normalized().cast<float>();
   for (std::size_t i = 0; i < list.surfaces.size(); ++i)
-    show_surface(layer(scene, scene.surfaces, i), list.surfaces[i], scene);
+    show_surface(layer(scene, scene.surfaces, i), list.surfaces[i], scene, direction);
   for (std::size_t i = list.surfaces.size(); i < scene.surfaces.size(); ++i)
     scene.surfaces[i]->actor->VisibilityOff();
   for (std::size_t i = 0; i < list.lines.size(); ++i)
     show_line(layer(scene, scene.lines, i), list.lines[i], scene, lift);
   for (std::size_t i = list.lines.size(); i < scene.lines.size(); ++i) scene.lines[i]->actor->VisibilityOff();
-}
-
-void Stage::Impl::set_ground(Scene& scene, const Theme& theme) {
-  const auto& low = theme.background_bottom;
-  const auto& high = theme.background_top;
-  scene.renderer->SetBackground(low[0] / 255.0, low[1] / 255.0, low[2] / 255.0);
-  scene.renderer->SetBackground2(high[0] / 255.0, high[1] / 255.0, high[2] / 255.0);
-  scene.renderer->SetGradientBackground(!options.is_flat);
 }
 
 void Stage::Impl::set_camera(Scene& scene, const CameraPose& pose) {
@@ -210,10 +232,12 @@ const RendererInfo& Stage::info() const { return impl_->context.info(); }
 Image Stage::draw(const DrawList& list, const CameraPose& camera, const Theme& theme, int slot) {
   Scene& scene = impl_->scene(slot);
   const Vec3 towards_viewer = (camera.position - camera.focal).normalized();
-  impl_->set_ground(scene, theme);
   impl_->show(scene, list, 2.5e-3 * camera.scale * towards_viewer);
   impl_->set_camera(scene, camera);
-  return impl_->context.draw(impl_->options.smoothing);
+  Image image = impl_->context.draw(impl_->options.smoothing);
+  const Rgb bottom = theme.background_bottom;
+  lay_on_ground(image, impl_->options.is_flat ? bottom : theme.background_top, bottom);
+  return image;
 }
 
 }  // namespace hydroscope

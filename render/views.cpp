@@ -237,9 +237,12 @@ void Views::draw_tool_normals(DrawList& list, const Snapshot& snapshot) const {
   for (const ToolState& tool : tools_) {
     const bool is_cut = options_.is_tool_cut;
     list.surfaces.push_back({.surface = tool.surface, .table = &table, .range = range, .is_cut = is_cut});
-    list.surfaces.push_back({.surface = tool.normal_arrows, .colour = class_colour(ContactClass::kStick)});
+    list.surfaces.push_back({.surface = tool.normal_arrows,
+                             .colour = class_colour(ContactClass::kStick),
+                             .faces = SurfaceItem::Faces::kFront});
     if (options_.facet_normals)
-      list.surfaces.push_back({.surface = tool.facet_arrows, .colour = {0, 158, 115}});
+      list.surfaces.push_back(
+          {.surface = tool.facet_arrows, .colour = {0, 158, 115}, .faces = SurfaceItem::Faces::kFront});
     if (options_.is_flat) continue;
     list.lines.push_back(
         {.lines = tool.facet_edges, .colour = theme_.line, .width = 0.6, .opacity = 0.3, .is_cut = is_cut});
@@ -275,9 +278,11 @@ void Views::draw_slip(DrawList& list, const Snapshot& snapshot,
   add_wall(list, snapshot, std::nullopt);
   list.surfaces.push_back({.surface = share(make_arrows(accumulated, width, sheet_.reflections())),
                            .table = &table,
-                           .range = range});
+                           .range = range,
+                           .faces = SurfaceItem::Faces::kFront});
   list.surfaces.push_back({.surface = share(make_arrows(incremental, 0.7 * width, sheet_.reflections())),
-                           .colour = class_colour(ContactClass::kStick)});
+                           .colour = class_colour(ContactClass::kStick),
+                           .faces = SurfaceItem::Faces::kFront});
   add_tools(list);
   list.legend.swatches.push_back({class_colour(ContactClass::kStick), "last increment"});
   list.legend.notes.push_back("longest arrows: " + format_number(range.high) + " mm in all,");

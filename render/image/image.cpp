@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "render/image/image.h"
 
+#include <algorithm>
+
 #include "solver/base/error.h"
 
 namespace hydroscope {
@@ -45,9 +47,26 @@ Image reduced(const std::uint8_t* rows_from_below, int width, int height, int fa
       for (std::size_t i = 0; i < sums.size(); ++i) target[i] = static_cast<std::uint8_t>(sums[i] / 4);
     else
       for (std::size_t i = 0; i < sums.size(); ++i) target[i] = static_cast<std::uint8_t>(sums[i] / weight);
-    for (std::size_t x = 3; x < sums.size(); x += 4) target[x] = 255;
   }
   return image;
+}
+
+void lay_on_ground(Image& image, Rgb top, Rgb bottom) {
+  for (int y = 0; y < image.height; ++y) {
+    const int below = 2 * y + 1, above = 2 * image.height - below;
+    std::array<unsigned, 3> ground;
+    for (std::size_t c = 0; c < 3; ++c)
+      ground[c] =
+          static_cast<unsigned>((above * top[c] + below * bottom[c] + image.height) / (2 * image.height));
+    std::uint8_t* pixel = image.pixel(0, y);
+    for (int x = 0; x < image.width; ++x, pixel += 4) {
+      const unsigned uncovered = 255u - pixel[3];
+      for (std::size_t c = 0; c < 3; ++c)
+        pixel[c] =
+            static_cast<std::uint8_t>(std::min(255u, pixel[c] + (uncovered * ground[c] + 127u) / 255u));
+      pixel[3] = 255;
+    }
+  }
 }
 
 }  // namespace hydroscope

@@ -32,7 +32,11 @@ Image make_image(int width, int height, Rgb colour);
 
 /// Turns a picture that was drawn `factor` times too large in each direction
 /// and read from below (as OpenGL does) into one of width x height: the mean
-/// of factor x factor pixels makes its edges smooth. Alpha becomes 255.
+/// of factor x factor pixels makes its edges smooth.
 Image reduced(const std::uint8_t* rows_from_below, int width, int height, int factor);
+
+/// Lays a picture whose colours are weighted by its alpha (drawn on black,
+/// alpha 0) on a ground that runs from one colour to the other. Alpha becomes 255.
+void lay_on_ground(Image& image, Rgb top, Rgb bottom);
 
 }  // namespace hydroscope

@@ -45,6 +45,8 @@ void add_arrow(Surface& surface, const Arrow& arrow, double width) {
   const Vec3 neck = arrow.start + (length - head_length) * frame.col(2);
   const Vec3 tip = arrow.start + arrow.span;
   const auto value = static_cast<float>(arrow.value);
+  add_frustum(surface, arrow.start, 0.0, arrow.start, kShaft * radius, frame,
+              value);  // closed: drawn from outside only
   add_frustum(surface, arrow.start, kShaft * radius, neck, kShaft * radius, frame, value);
   add_frustum(surface, neck, kShaft * radius, neck, radius, frame, value);  // the head's back
   add_frustum(surface, neck, radius, tip, 0.0, frame, value);

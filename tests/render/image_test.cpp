@@ -36,8 +36,24 @@ TEST(Image, ReductionAveragesAndTurnsUpsideUp) {
     const Image image = reduced(drawn.data(), 1, 2, factor);
     EXPECT_NEAR(image.pixel(0, 0)[0], 200, 1) << factor;
     EXPECT_EQ(image.pixel(0, 1)[0], 40) << factor;
-    EXPECT_EQ(image.pixel(0, 1)[3], 255);
+    EXPECT_EQ(image.pixel(0, 1)[3], 0);
   }
+}
+
+TEST(Image, IsLaidOnItsGroundByWhatItLeavesUncovered) {
+  Image image = make_image(3, 2, {0, 0, 0});
+  for (int y = 0; y < 2; ++y) {
+    image.pixel(0, y)[3] = 0;                                // nothing there
+    image.pixel(1, y)[0] = 100, image.pixel(1, y)[3] = 128;  // half covered
+    image.pixel(2, y)[0] = 200;                              // covered
+  }
+  lay_on_ground(image, {80, 80, 80}, {160, 160, 160});
+  EXPECT_EQ(image.pixel(0, 0)[0], 100);  // a quarter of the way down
+  EXPECT_EQ(image.pixel(0, 1)[0], 140);
+  EXPECT_NEAR(image.pixel(1, 0)[0], 100 + 50, 1);
+  EXPECT_NEAR(image.pixel(1, 0)[1], 50, 1);
+  EXPECT_EQ(image.pixel(2, 1)[0], 200);
+  EXPECT_EQ(image.pixel(2, 1)[1], 0);
 }
 
 TEST(PngFile, ComesBackAsItWasWithItsTexts) {

@@ -92,7 +92,7 @@ TEST(PolyData, TrianglesAndQuadsOfASurfaceStayApart) {
   for (int i = 0; i < 5; ++i) surface.add_point(Vec3(i, i * i, 0.0), Vec3::UnitZ());
   surface.values = {0, 1, 2, 3, 4};
   surface.polygons = {{0, 1, 2, 3}, {2, 3, 4, -1}};
-  const auto data = make_poly_data(surface);
+  const auto data = make_poly_data(surface, surface.polygons);
   EXPECT_EQ(data->GetPolys()->GetCellSize(0), 4);
   EXPECT_EQ(data->GetPolys()->GetCellSize(1), 3);
   EXPECT_EQ(data->GetPointData()->GetScalars()->GetComponent(4, 0), 4.0);
