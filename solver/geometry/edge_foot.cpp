@@ -138,6 +138,10 @@ RimFoot find_rim_foot(const ToolEdge& edge, const Vec3& x) {
   const Vec3 n_rate = (turn - foot.normal * foot.normal.dot(turn)) / m.norm();  // dn/ds
   foot.normal_gradient = n_rate * ds_dx.transpose();
   foot.gap_gradient = foot.normal + (n_rate.dot(offset) - foot.normal.dot(along)) * ds_dx;
+  const double sink = edge.bend * s * (1.0 - s);  // the rim of a smooth facet is curved
+  foot.gap += sink;
+  foot.point -= sink * foot.normal;
+  foot.gap_gradient += edge.bend * (1.0 - 2.0 * s) * ds_dx;
   return {foot, end};
 }
 

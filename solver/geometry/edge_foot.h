@@ -13,6 +13,7 @@ struct ToolEdge {
   Vec3 start, end;              // [mm], counter-clockwise on the facet it belongs to
   Vec3 start_left, end_left;    // normals on the side of that facet
   Vec3 start_right, end_right;  // normals on the side of its neighbour; of a rim the same as left
+  double bend = 0.0;            // of a rim of smooth facets, see Prism::bend [mm]
 };
 
 /// Foot point on a crease for `x` in the wedge between the prisms of its two sides; the normal

@@ -36,7 +36,6 @@ MeshSurface::MeshSurface(const TriangleMesh& mesh, const MeshSurfaceOptions& opt
       v[k] = corners.normals[at(corners.corners[f][k])];
     }
     prisms_.push_back(make_prism(x, v));
-    if (options.is_smooth && !keeps_facet_normals_) bend_edges(prisms_.back());
     require(prisms_.back().area2 > 0.0, "a tool surface needs facets with an area");
     area2 += prisms_.back().area2;
   }
@@ -44,6 +43,7 @@ MeshSurface::MeshSurface(const TriangleMesh& mesh, const MeshSurfaceOptions& opt
   floor_ = 1e-3 * std::sqrt(area2 / static_cast<double>(mesh.triangles.size()));
   link_facets(corners);
   mark_seams(mesh);
+  if (options.is_smooth && !keeps_facet_normals_) bend_facets();
   display_mesh_.triangles = std::move(corners.corners);
   for (int point : corners.points) display_mesh_.points.push_back(mesh.points[at(point)]);
   normals_ = std::move(corners.normals);
@@ -93,6 +93,19 @@ void MeshSurface::mark_seams(const TriangleMesh& mesh) {
   }
 }
 
+void MeshSurface::bend_facets() {
+  for (std::size_t f = 0; f < prisms_.size(); ++f) {
+    bend_edges(prisms_[f]);
+    double rise = 0.0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      // Both sides of a crease would curve it in their own ways: it stays straight, and closed.
+      if (links_[f][k] == Link::crease) prisms_[f].bend[k] = 0.0;
+      rise += 0.25 * std::abs(prisms_[f].bend[k]);
+    }
+    rise_ = std::max(rise_, rise);
+  }
+}
+
 ToolEdge MeshSurface::make_edge(int facet, int k) const {
   const Prism& prism = prisms_[at(facet)];
   const int from = (k + 1) % 3;
@@ -103,7 +116,10 @@ ToolEdge MeshSurface::make_edge(int facet, int k) const {
   edge.start_left = edge.start_right = prism.corner_normal(from);
   edge.end_left = edge.end_right = prism.corner_normal(to);
   const int neighbour = next_[at(facet)][at(k)];
-  if (neighbour < 0) return edge;
+  if (neighbour < 0) {
+    edge.bend = prism.bend[at(k)];
+    return edge;
+  }
   const auto& side = topology_.sides[at(facet)][at(k)];
   const int start = side.is_flipped ? (side.edge + 1) % 3 : (side.edge + 2) % 3;
   const int end = side.is_flipped ? (side.edge + 2) % 3 : (side.edge + 1) % 3;
@@ -114,8 +130,9 @@ ToolEdge MeshSurface::make_edge(int facet, int k) const {
 
 std::optional<FootPoint> MeshSurface::find_foot_point(const Vec3& x, double band, double depth,
                                                       SearchHint& hint) const {
-  const double reach = std::max(band, depth);
-  if (hint.clearance > 0.0 && (x - hint.position).norm() + reach < hint.clearance) return std::nullopt;
+  const double window = std::max(band, depth);
+  if (hint.clearance > 0.0 && (x - hint.position).norm() + window < hint.clearance) return std::nullopt;
+  const double reach = window + rise_;
   TriangleTree::Nearest best{-1, kFarReach * kFarReach * reach * reach};
   if (hint.facet >= 0 && at(hint.facet) < prisms_.size()) {
     const double distance2 = tree_.calc_distance2(x, hint.facet);
@@ -124,7 +141,7 @@ std::optional<FootPoint> MeshSurface::find_foot_point(const Vec3& x, double band
   best = tree_.find_nearest(x, best);
   const double distance = std::sqrt(best.distance2);
   hint.position = x;
-  hint.clearance = distance;
+  hint.clearance = distance - rise_;
   hint.facet = best.facet;
   // A foot point is never nearer than the nearest facet: out of reach is out of the window.
   if (best.facet < 0 || distance > reach) return std::nullopt;

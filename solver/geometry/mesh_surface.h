@@ -48,6 +48,7 @@ class MeshSurface final : public ToolSurface {
 
   void link_facets(const CornerNormals& corners);
   void mark_seams(const TriangleMesh& mesh);
+  void bend_facets();
   FootPoint locate(const Vec3& x, int nearest, double distance) const;
   FootPoint locate_facet_normal(const Vec3& x, int nearest) const;
   FootPoint finish_in_prism(const Vec3& x, int facet, const PrismPoint& at) const;
@@ -72,6 +73,7 @@ class MeshSurface final : public ToolSurface {
   bool keeps_facet_normals_ = false;
   int crease_edges_ = 0;
   double size_ = 0.0;   // diagonal of the bounding box [mm]
+  double rise_ = 0.0;   // how far smooth facets may rise over flat ones [mm]
   double floor_ = 0.0;  // radius given to a crease in curvatures [mm]
 };
 

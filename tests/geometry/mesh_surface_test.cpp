@@ -296,6 +296,88 @@ TEST(MeshSurface, FacetRuleJumpsButLosesNothing) {
   }
 }
 
+/// Part of a bulging barrel: curved both ways, with rims.
+TriangleMesh make_barrel(int columns, int rows) {
+  return make_grid_mesh(columns + 1, rows + 1, [&](int i, int j) {
+    const double a = 1.5 * i / columns;
+    const double z = 8.0 * j / rows - 4.0;
+    const double r = 10.0 - 0.02 * z * z;
+    return Vec3(r * std::cos(a), r * std::sin(a), z);
+  });
+}
+
+TEST(SmoothFacets, ErrFarLessThanFlatOnes) {
+  // Mechanics 6.2: the sagitta R theta^2 / 8 of flat facets becomes R theta^4 / 128.
+  const CylinderSurface exact(Pose{}, 10.0, Side::outside, 5.0);
+  double last = 0.0;
+  for (int facets : {24, 48}) {
+    const TriangleMesh mesh = make_grid_mesh(facets + 1, 5, [&](int i, int j) {
+      const double a = 2 * std::numbers::pi * (i % facets) / facets;
+      return Vec3(10 * std::cos(a), 10 * std::sin(a), 2.0 * (j - 2));
+    });
+    const MeshSurface tool(mesh, {.is_smooth = true});
+    double worst = 0.0;
+    for (int i = 0; i < 500; ++i) {
+      const double a = 0.005 * i;
+      for (double r : {9.5, 10.0, 10.5}) {
+        const Vec3 x(r * std::cos(a), r * std::sin(a), 0.3);
+        worst = std::max(worst, std::abs(look_up(tool, x).gap - look_up(exact, x).gap));
+      }
+    }
+    const double theta = 2 * std::numbers::pi / facets;
+    EXPECT_LT(worst, 0.05 * 10 * theta * theta / 8);
+    if (last > 0.0) {
+      EXPECT_GT(last / worst, 12.0);
+    }
+    last = worst;
+  }
+}
+
+TEST(SmoothFacets, GapIsContinuousOverEdgesAndRims) {
+  const MeshSurface tool(make_barrel(10, 6), {.is_smooth = true});
+  Dice dice(9);
+  for (int i = 0; i < 20; ++i) {
+    const double a = dice.number(0.2, 1.3);
+    const double r = dice.number(9.5, 10.5);
+    const Vec3 from(r * std::cos(a), r * std::sin(a), -2.0);
+    const Jump jump = march(tool, from, from + Vec3(0.5, -0.8, 7.0), 20000);
+    EXPECT_LT(jump.gap, 1e-9);
+    EXPECT_GT(jump.crossings, 2);
+  }
+}
+
+TEST(SmoothFacets, GradientsAgreeWithDifferences) {
+  const MeshSurface tool(make_barrel(10, 6), {.is_smooth = true});
+  Dice dice(10);
+  const double step = 1e-5;
+  int inside = 0;
+  int beyond = 0;
+  for (int i = 0; i < 500; ++i) {
+    const double a = dice.number(0.1, 1.4);
+    const double r = dice.number(9, 11);
+    const Vec3 x(r * std::cos(a), r * std::sin(a), dice.number(-5, 5));
+    const FootPoint here = look_up(tool, x);
+    bool is_inside = true;
+    for (int k = 0; k < 6; ++k) {
+      const FootPoint there = look_up(tool, x + (k < 3 ? 2 : -2) * step * Vec3::Unit(k % 3));
+      is_inside = is_inside && there.facet == here.facet && (there.beyond_edge > 0) == (here.beyond_edge > 0);
+    }
+    if (!is_inside) continue;
+    ++(here.beyond_edge > 0 ? beyond : inside);
+    const test::GradientError error = test::measure_gradients(tool, x, step);
+    EXPECT_LT(error.gap, 1e-6);
+    EXPECT_LT(error.normal, 1e-6);
+  }
+  EXPECT_GT(inside, 300);
+  EXPECT_GT(beyond, 50);
+}
+
+TEST(SmoothFacets, StayClosedAtCreases) {
+  const MeshSurface tool(test::make_cube(1, 4), {.is_smooth = true});
+  EXPECT_NEAR(look_up(tool, Vec3(1.2, 0.1, 1.3)).gap, std::hypot(0.2, 0.3), 1e-12);
+  EXPECT_NEAR(look_up(tool, Vec3(0.3, 0.1, 1.3)).gap, 0.3, 1e-12);
+}
+
 TEST(MeshSurface, DisplayMeshKeepsFacetNumbers) {
   const TriangleMesh cube = test::make_cube(1, 2);
   const MeshSurface tool(cube);
