@@ -47,7 +47,8 @@ void bend_edges(Prism& prism) {
   for (int k = 0; k < 3; ++k) {
     const int i = (k + 1) % 3, j = (k + 2) % 3;
     const Vec3 chord = prism.corner(j) - prism.corner(i);
-    prism.bend[static_cast<std::size_t>(k)] = 0.5 * (prism.corner_normal(i) - prism.corner_normal(j)).dot(chord);
+    prism.bend[static_cast<std::size_t>(k)] =
+        0.5 * (prism.corner_normal(i) - prism.corner_normal(j)).dot(chord);
   }
 }
 

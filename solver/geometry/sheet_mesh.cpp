@@ -22,9 +22,7 @@ double interpolate_size(const std::vector<std::array<double, 2>>& grading, doubl
   return grading[k - 1][1] + share * (grading[k][1] - grading[k - 1][1]);
 }
 
-Vec3 radial(double degrees) {
-  return {std::cos(degrees * kDegree), std::sin(degrees * kDegree), 0.0};
-}
+Vec3 radial(double degrees) { return {std::cos(degrees * kDegree), std::sin(degrees * kDegree), 0.0}; }
 
 /// Quads of a grid of node columns and rows; closed around when `is_ring`.
 void connect(SheetMesh& m) {
@@ -57,16 +55,15 @@ double section_angle(const TubeScene& scene) {
 }
 
 /// Plane through the axis at an angle from +x.
-Vec3 plane_normal(double degrees) {
-  return {-std::sin(degrees * kDegree), std::cos(degrees * kDegree), 0.0};
-}
+Vec3 plane_normal(double degrees) { return {-std::sin(degrees * kDegree), std::cos(degrees * kDegree), 0.0}; }
 
 void add_section_symmetry(SheetMesh& m, double angle) {
   if (m.is_ring) return;
   m.symmetry.push_back({plane_normal(0.0), column(m, 0)});
   m.symmetry.push_back({plane_normal(angle), column(m, m.n_around - 1)});
   for (double a = angle; a < 180.0 - 1e-9; a *= 2.0) {
-    if (std::abs(std::remainder(360.0, 2.0 * a)) > 1e-9) break;  // repeated mirroring would not close the ring
+    if (std::abs(std::remainder(360.0, 2.0 * a)) > 1e-9)
+      break;  // repeated mirroring would not close the ring
     m.mirrors.push_back({Vec3::Zero(), plane_normal(a)});
   }
   m.mirrors.push_back({Vec3::Zero(), Vec3::UnitY()});
@@ -141,7 +138,8 @@ std::vector<double> divide(double from, double to, int n, const std::vector<std:
   std::vector<double> sum(kFine + 1, 0.0);
   for (int i = 0; i < kFine; ++i) {
     const double middle = from + (to - from) * (i + 0.5) / kFine;
-    sum[static_cast<std::size_t>(i) + 1] = sum[static_cast<std::size_t>(i)] + 1.0 / interpolate_size(grading, middle);
+    sum[static_cast<std::size_t>(i) + 1] =
+        sum[static_cast<std::size_t>(i)] + 1.0 / interpolate_size(grading, middle);
   }
   std::vector<double> at{from};
   std::size_t k = 0;
