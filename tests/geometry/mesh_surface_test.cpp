@@ -251,6 +251,32 @@ TEST(MeshSurface, SeamsThatWereNotWeldedLoseNothing) {
   }
 }
 
+TEST(MeshSurface, WhatAPrismHoldsIsNotBeyondASeam) {
+  // A bumpy sheet, cut along x = 0 and not welded: rim normals lean every way there.
+  Dice dice(11);
+  std::vector<double> bumps;
+  for (int i = 0; i < 17 * 33; ++i) bumps.push_back(dice.number(-0.12, 0.12));
+  TriangleMesh mesh;
+  for (int half : {0, 1}) {
+    const TriangleMesh part = make_grid_mesh(9, 33, [&](int i, int j) {
+      const int column = i + 8 * half;
+      return Vec3(column - 8, j, bumps[at(17 * j + column)]);
+    });
+    const int offset = static_cast<int>(mesh.points.size());
+    mesh.points.insert(mesh.points.end(), part.points.begin(), part.points.end());
+    for (auto t : part.triangles) mesh.triangles.push_back({t[0] + offset, t[1] + offset, t[2] + offset});
+  }
+  const MeshSurface tool(mesh, {NormalRule::area, 60.0});
+  int held = 0;
+  for (int i = 0; i < 4000; ++i) {
+    const Vec3 x(dice.number(-0.2, 0.2), dice.number(2, 30), dice.number(-1, 1));
+    if (tool.list_prisms_at(x, 1.2 * std::abs(x.z()) + 0.2).empty()) continue;
+    ++held;
+    EXPECT_EQ(look_up(tool, x).beyond_edge, 0.0);
+  }
+  EXPECT_GT(held, 3000);
+}
+
 TEST(MeshSurface, ConvergesToTheAnalyticSurface) {
   const Vec3 x(10.5 * std::cos(0.733), 10.5 * std::sin(0.733), 0.37);
   const CylinderSurface exact(Pose{}, 10.0, Side::outside, 5.0);
