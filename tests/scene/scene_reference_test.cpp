@@ -17,7 +17,7 @@ TEST(SceneReference, FileEqualsTheTable) {
   std::ostringstream text;
   text << file.rdbuf();
   EXPECT_TRUE(text.str() == make_scene_reference())
-      << "make it anew: hydroscope reference > docs/scene_reference.md";
+      << "make it anew: cmake --build BUILD --target scene_reference";
 }
 
 TEST(SceneReference, KeysCarryTheirUnit) {
