@@ -156,7 +156,12 @@ TriangleMesh make_square_bulge_die(const SquareBulgeDie& die) {
   const Columns columns(static_cast<int>(octant.size()) - 1, die.coverage);
   return make_die(columns, make_bulge_rows(die), [&](int k, double z) {
     const Vec2& square = octant[static_cast<std::size_t>(k)];
-    const Vec2 round = die.guide_radius * square.normalized();
+    // Equal facets around the guides: there averaged normals point exactly at the axis.
+    const int last = static_cast<int>(octant.size()) - 1;
+    const double angle = 0.25 * kPi * k / last;
+    // Exactly on the 45 degree line, for the sake of its reflections.
+    const Vec2 round = k == last ? Vec2(Vec2::Constant(die.guide_radius * std::sqrt(0.5)))
+                                 : Vec2(die.guide_radius * Vec2(std::cos(angle), std::sin(angle)));
     const double u = std::clamp((z - die.square_end) / (die.round_start - die.square_end), 0.0, 1.0);
     const double roundness = u >= 1.0 ? 1.0 : 0.5 * (1.0 - std::cos(kPi * u));
     return Vec2(square + roundness * (round - square));
