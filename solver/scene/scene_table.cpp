@@ -273,6 +273,7 @@ SceneTable make_edge() {
           }};
 }
 
+// NOLINTNEXTLINE(readability-function-size): rows of a table
 SceneTable make_tool() {
   using T = ToolScene;
   const std::vector<std::string> round = {"cylinder", "torus"};
