@@ -132,7 +132,6 @@ void FrameSequence::Impl::keep_error() {
   }
   is_abandoned = true;
   snapshots.abandon();
-  frames.abandon();
 }
 
 void FrameSequence::Impl::paint(FramePainter& painter, const std::string& view, const Snapshot& snapshot,
@@ -189,10 +188,10 @@ void FrameSequence::Impl::run_renderer() {
                                (options.animation == "none" ? 0 : options.views.size()));
       paint_deferred(*painter);
     }
-    frames.close();
   } catch (...) {
     keep_error();
   }
+  frames.close();  // also after an error: what has been drawn is still written
 }
 
 void FrameSequence::Impl::run_encoder() {
@@ -206,6 +205,7 @@ void FrameSequence::Impl::run_encoder() {
     }
   } catch (...) {
     keep_error();
+    frames.abandon();
   }
 }
 

@@ -156,6 +156,8 @@ void Views::make_normal_arrows(ToolState& tool, const Plane& cut) const {
 void Views::update_tools(const Snapshot& snapshot, const Plane& cut) {
   for (std::size_t i = 0; i < tools_.size(); ++i) {
     ToolState& tool = tools_[i];
+    tool.is_there = snapshot.tool_translation[i].allFinite();
+    if (!tool.is_there) continue;
     const bool has_moved = !(tool.translation == snapshot.tool_translation[i]);
     const bool has_new_cut = !(tool.cut.normal == cut.normal && tool.cut.point == cut.point);
     tool.translation = snapshot.tool_translation[i];
@@ -195,14 +197,14 @@ void Views::add_tools(DrawList& list) const {
   // First the walls seen from the sheet's side, then those seen from behind,
   // which are nearer: so each pixel blends in the right order without sorting.
   for (const Faces faces : {Faces::kFront, Faces::kBack})
-    for (const ToolState& tool : tools_)
+    for (const ToolState& tool : present_tools())
       list.surfaces.push_back(
           {.surface = tool.surface,
            .colour = theme_.tool,
            .opacity = faces == Faces::kFront ? options_.tool_opacity : 0.5 * options_.tool_opacity,
            .faces = faces,
            .is_cut = options_.is_tool_cut});
-  for (const ToolState& tool : tools_) {
+  for (const ToolState& tool : present_tools()) {
     list.lines.push_back(
         {.lines = tool.edges, .colour = theme_.tool_line, .width = 1.0, .is_cut = options_.is_tool_cut});
     list.lines.push_back({.lines = tool.section, .colour = theme_.line, .width = 2.0});
@@ -234,7 +236,7 @@ void Views::draw_tool_normals(DrawList& list, const Snapshot& snapshot) const {
   const Range range = calc_round_range({0.0, largest_angle_});
   list.legend.bars.push_back({"normal angle [°]", &table, range});
   list.legend.notes = {"angle between facet", "and continuous normal"};
-  for (const ToolState& tool : tools_) {
+  for (const ToolState& tool : present_tools()) {
     const bool is_cut = options_.is_tool_cut;
     list.surfaces.push_back({.surface = tool.surface, .table = &table, .range = range, .is_cut = is_cut});
     list.surfaces.push_back({.surface = tool.normal_arrows,
@@ -324,7 +326,7 @@ DrawList Views::make_draw_list(const std::string& view, const Snapshot& snapshot
     draw_contact_map(list, snapshot);
   } else if (view == "tool-normals") {
     for (ToolState& tool : tools_)
-      if (tool.normal_arrows == nullptr) make_normal_arrows(tool, *list.cut);
+      if (tool.is_there && tool.normal_arrows == nullptr) make_normal_arrows(tool, *list.cut);
     draw_tool_normals(list, snapshot);
   } else if (view == "slip") {
     draw_slip(list, snapshot, ranges);

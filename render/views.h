@@ -4,6 +4,7 @@
 #include <limits>
 #include <map>
 #include <memory>
+#include <ranges>
 #include <string>
 #include <utility>
 #include <vector>
@@ -34,7 +35,8 @@ int count_without_value(const std::string& view, const Snapshot& snapshot);
 /// Widened to round numbers, never empty; what a legend shows.
 Range calc_round_range(const Range& range);
 
-/// What one sequence draws: turns snapshots into draw lists. Knows no GL.
+/// What one sequence draws: a tool whose translation is not a number has been
+/// taken away and is not drawn. Turns snapshots into draw lists. Knows no GL.
 class Views {
  public:
   Views(const Snapshot& first, const FrameOptions& options);
@@ -51,6 +53,7 @@ class Views {
     explicit ToolState(ToolShape given) : shape(std::move(given)) {}
 
     ToolShape shape;
+    bool is_there = false;  ///< not taken away: its translation is a number
     Vec3 translation = Vec3::Constant(std::numeric_limits<double>::quiet_NaN());
     std::shared_ptr<const Surface> surface, normal_arrows, facet_arrows;
     std::shared_ptr<const LineSet> edges, facet_edges, section;
@@ -58,6 +61,9 @@ class Views {
     std::vector<int> arrow_nodes, arrow_facets;
   };
 
+  auto present_tools() const {
+    return tools_ | std::views::filter([](const ToolState& tool) { return tool.is_there; });
+  }
   void update_tools(const Snapshot& snapshot, const Plane& cut);
   void make_normal_arrows(ToolState& tool, const Plane& cut) const;
   void add_wall(DrawList& list, const Snapshot& snapshot, const std::optional<NodePaint>& paint) const;

@@ -6,7 +6,6 @@
 
 #include <cmath>
 #include <filesystem>
-#include <regex>
 
 #include "render/image/png_file.h"
 #include "render/views.h"
@@ -19,10 +18,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// What stands behind a key on its line.
 std::string find_value(const std::string& json, const std::string& key) {
-  std::smatch found;
-  const std::regex pattern("\"" + key + "\": ([^\\n]*?),?\\n");
-  return std::regex_search(json, found, pattern) ? found[1].str() : "missing";
+  const std::string start = "\"" + key + "\": ";
+  const std::size_t at = json.find(start);
+  if (at == std::string::npos) return "missing";
+  const std::size_t from = at + start.size();
+  const std::string line = json.substr(from, json.find('\n', from) - from);
+  return line.ends_with(',') ? line.substr(0, line.size() - 1) : line;
 }
 
 class Sequence : public testing::Test {

@@ -78,6 +78,13 @@ TEST_F(ViewsOfBulge, AToolThatStandsStillIsNotMadeAgain) {
   EXPECT_NE(first.surfaces.back().surface, moved.surfaces.back().surface);
 }
 
+TEST_F(ViewsOfBulge, AToolThatHasBeenTakenAwayIsNotDrawn) {
+  const std::size_t with = make("contact-map").surfaces.size();
+  snapshot->tool_translation[0] = Vec3::Constant(std::nan(""));
+  EXPECT_EQ(make("contact-map").surfaces.size(), with - 2) << "seen from its front and from behind";
+  EXPECT_TRUE(make("tool-normals").surfaces.empty());
+}
+
 TEST_F(ViewsOfBulge, SlipArrowsGrowWithTheSlip) {
   const DrawList before = make("slip");
   for (Vec3& slip : snapshot->slip) slip *= 1.1;
