@@ -4,6 +4,8 @@
 #include <vtkNew.h>            // VTK::CommonCore
 #include <vtkObjectFactory.h>  // VTK::CommonCore
 #include <vtkOutputWindow.h>   // VTK::CommonCore
+// The public vtkSMPTools.h of 9.1 is no valid C++20.
+#include <SMP/Common/vtkSMPToolsAPI.h>  // VTK::CommonCore
 
 #include <mutex>
 
@@ -28,11 +30,13 @@ vtkStandardNewMacro(MessageCollector);
 
 }  // namespace
 
-void catch_vtk_messages() {
+void set_up_vtk() {
   static std::once_flag once;
   std::call_once(once, [] {
     const vtkNew<MessageCollector> collector;
     vtkOutputWindow::SetInstance(collector);
+    // Drawing has the threads that it was given and no others.
+    vtk::detail::smp::vtkSMPToolsAPI::GetInstance().SetBackend("Sequential");
   });
 }
 
