@@ -14,15 +14,17 @@ Eigen::Matrix<double, kDofs, 1> calc_gap_row(const SlavePoint& point, const Vec3
 }
 
 Eigen::Matrix<double, kDofs, kDofs> calc_contact_stiffness(const SlavePoint& point, const FootPoint& foot,
-                                                           double normal_force, const FrictionResult& friction,
-                                                           bool use_curvature, bool symmetrise) {
+                                                           double normal_force,
+                                                           const FrictionResult& friction, bool use_curvature,
+                                                           bool symmetrise) {
   const auto map = point.calc_map();
   Mat3 inner = friction.stiffness;
   if (use_curvature) {
     // dn/dx already acts in the tangent plane: its rows are tangential; take n's direction off its columns.
     const Mat3 tangent_plane = Mat3::Identity() - foot.normal * foot.normal.transpose();
     const Mat3 curvature = foot.normal_gradient * tangent_plane;  // (4.29), (4.30), (4.32)
-    inner -= normal_force * (symmetrise ? Mat3(0.5 * (curvature + curvature.transpose())) : curvature);  // (4.33)
+    inner -=
+        normal_force * (symmetrise ? Mat3(0.5 * (curvature + curvature.transpose())) : curvature);  // (4.33)
   }
   Eigen::Matrix<double, kDofs, kDofs> k = map.transpose() * inner * map;
   const double turn = point.offset * point.triad.v.dot(normal_force * foot.normal + friction.force);

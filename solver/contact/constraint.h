@@ -25,7 +25,8 @@ Eigen::Matrix<double, kDofs, 1> calc_gap_row(const SlavePoint& point, const Vec3
 /// fibre that carries the force `t_N n + f`. `use_curvature` and `symmetrise`
 /// choose the treatment of dn/dx.
 Eigen::Matrix<double, kDofs, kDofs> calc_contact_stiffness(const SlavePoint& point, const FootPoint& foot,
-                                                           double normal_force, const FrictionResult& friction,
-                                                           bool use_curvature, bool symmetrise);
+                                                           double normal_force,
+                                                           const FrictionResult& friction, bool use_curvature,
+                                                           bool symmetrise);
 
 }  // namespace hydroscope

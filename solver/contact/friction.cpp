@@ -21,7 +21,8 @@ FrictionResult calc_friction(const Vec3& start, const Vec3& sliding, const Vec3&
     return result;
   }
   const Mat3 tangent_plane = Mat3::Identity() - normal * normal.transpose();
-  const Vec3 trial = transport_tangential(start, normal) - stick_stiffness * (tangent_plane * sliding);  // (4.45)
+  const Vec3 trial =
+      transport_tangential(start, normal) - stick_stiffness * (tangent_plane * sliding);  // (4.45)
   const double size = trial.norm();
   if (size <= limit) {
     result.force = trial;

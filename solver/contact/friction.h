@@ -10,8 +10,8 @@ namespace hydroscope {
 /// a return mapping: the elastic trial -E_t du is brought back to the circle
 /// |f| = mu t_N (4.46).
 struct FrictionResult {
-  Vec3 force = Vec3::Zero();       ///< on the sheet [N]
-  Mat3 stiffness = Mat3::Zero();   ///< -d force / d u without the change of t_N, symmetric [N/mm]
+  Vec3 force = Vec3::Zero();      ///< on the sheet [N]
+  Mat3 stiffness = Mat3::Zero();  ///< -d force / d u without the change of t_N, symmetric [N/mm]
   bool is_slipping = false;
 };
 

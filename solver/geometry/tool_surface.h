@@ -22,16 +22,16 @@ struct FootPoint {
   /// dg/dx of the returned gap, exactly: `normal` on smooth surfaces; on a mesh at gap 0 the facet's
   /// normal over its cosine with `normal` (so that normal . dg/dx = 1).
   Vec3 gap_gradient = Vec3::UnitZ();
-  int facet = -1;                     ///< facet of a mesh, patch of an analytic surface
-  double beyond_edge = 0.0;           ///< how far the point lies beyond an open edge of the tool [mm]; 0 inside
+  int facet = -1;            ///< facet of a mesh, patch of an analytic surface
+  double beyond_edge = 0.0;  ///< how far the point lies beyond an open edge of the tool [mm]; 0 inside
 };
 
 /// Carried by a node from one look-up to the next, so that a sliding node is
 /// followed through neighbours and a far node is skipped.
 struct SearchHint {
-  int facet = -1;                        ///< facet of the last look-up
-  Vec3 position = Vec3::Zero();          ///< where the last full look-up was made [mm]
-  double clearance = 0.0;                ///< no surface within this distance of `position` [mm]
+  int facet = -1;                ///< facet of the last look-up
+  Vec3 position = Vec3::Zero();  ///< where the last full look-up was made [mm]
+  double clearance = 0.0;        ///< no surface within this distance of `position` [mm]
 };
 
 /// A rigid tool surface in its own frame. Immutable and safe for concurrent use.

@@ -32,8 +32,8 @@ ContactEvent make_event(EventKind kind, const State& state, std::size_t tool, st
 }
 
 /// Change of status of one node against one tool between two accepted states.
-void record_change(const Model& model, const State& state, std::size_t t, std::size_t i, const ContactPoint& before,
-                   ContactPoint& now, IncrementReport& report) {
+void record_change(const Model& model, const State& state, std::size_t t, std::size_t i,
+                   const ContactPoint& before, ContactPoint& now, IncrementReport& report) {
   const auto add = [&](EventKind kind, const char* cause) {
     report.events.push_back(make_event(kind, state, t, i, before, now, cause));
   };
@@ -45,7 +45,8 @@ void record_change(const Model& model, const State& state, std::size_t t, std::s
     now.last_toggle = state.increment;
   } else if (before.is_active() && !now.is_active()) {
     const bool is_gone = !model.tools[t].is_present(state.time);
-    add(EventKind::kDetach, is_gone ? "tool taken away" : (now.has_foot && now.foot.beyond_edge <= 0.0 ? "tension" : "edge"));
+    add(EventKind::kDetach,
+        is_gone ? "tool taken away" : (now.has_foot && now.foot.beyond_edge <= 0.0 ? "tension" : "edge"));
     ++report.n_detached;
     ++now.toggles;
     now.last_toggle = state.increment;
@@ -56,8 +57,8 @@ void record_change(const Model& model, const State& state, std::size_t t, std::s
   }
 }
 
-void update_contact_history(const Model& model, State& state, const std::vector<std::vector<ContactPoint>>& old,
-                            IncrementReport& report) {
+void update_contact_history(const Model& model, State& state,
+                            const std::vector<std::vector<ContactPoint>>& old, IncrementReport& report) {
   for (std::size_t t = 0; t < state.contacts.size(); ++t) {
     for (std::size_t i = 0; i < state.contacts[t].size(); ++i) {
       const ContactPoint& before = old[t][i];
@@ -73,7 +74,8 @@ void update_contact_history(const Model& model, State& state, const std::vector<
       }
       record_change(model, state, t, i, before, now, report);
       if (now.locked > 0) --now.locked;
-      if (now.is_releasing && (!now.has_foot || now.foot.gap > 2.0 * model.touch_tolerance())) now.is_releasing = false;
+      if (now.is_releasing && (!now.has_foot || now.foot.gap > 2.0 * model.touch_tolerance()))
+        now.is_releasing = false;
     }
   }
   report.n_contact = report.n_stick + report.n_slip;
@@ -94,7 +96,8 @@ void update_outer_pressure(const Model& model, State& state) {
 
 }  // namespace
 
-void accept(const Model& model, const Attempt& attempt, State& state, Scratch& scratch, IncrementReport& report) {
+void accept(const Model& model, const Attempt& attempt, State& state, Scratch& scratch,
+            IncrementReport& report) {
   const PhaseTimer timer(scratch.times.update);
   Trial& trial = scratch.trial;
   state.reaction = calc_reactions(model, attempt.loads, scratch);
@@ -129,8 +132,7 @@ void accept(const Model& model, const Attempt& attempt, State& state, Scratch& s
   report.negative_pivots = attempt.negative_pivots;
   update_contact_history(model, state, old_contacts, report);
   update_outer_pressure(model, state);
-  const auto [low, high] =
-      std::minmax_element(state.wall.begin(), state.wall.end());
+  const auto [low, high] = std::minmax_element(state.wall.begin(), state.wall.end());
   report.thickness_min = *low;
   report.thickness_max = *high;
   for (const Quantity& quantity : model.quantities) {

@@ -127,6 +127,8 @@ IncrementReport advance(const Model& model, State& state, Scratch& scratch) {
       report.step_fraction = tried > 0.0 ? done / tried : 1.0;
       // A short step to the corner of a path says nothing about the next one.
       state.next_dt = (tried < 0.5 * dt && attempt.limit.fraction >= 1.0) ? dt : next;
+      // What follows a corner is unknown: begin gently, as at the start.
+      if (state.is_at_corner) state.next_dt = std::min(state.next_dt, 0.005 * model.end_time);
       if (strain_fraction < 1.0 || next < 1.4 * done) {
         if (report.limited_by == Limiter::kTimePath) report.limited_by = Limiter::kStrain;
       }

@@ -2,8 +2,6 @@
 #include "solver/increment/attempt.h"
 
 #include <cmath>
-#include <cstdio> //DBG
-#include <cstdlib> //DBG
 
 #include "solver/increment/contact_step.h"
 #include "solver/increment/equations.h"
@@ -14,13 +12,15 @@ namespace hydroscope {
 namespace {
 
 constexpr double kReleaseResidual = 0.02;  // reactions are trusted for letting go below this imbalance
+constexpr int kReleasePasses = 5;
 constexpr double kVolumeTolerance = 1e-8;  // of the enclosed volume
 // The tangent knows neither that the wall thins nor that friction follows the normal force; near a
 // limit point that alone keeps the corrector from settling. After these passes both stand still:
 // what they still lack is of the size of the last correction, and is made up in the next increment.
-constexpr int kSettlingPasses = 3;
-constexpr int kLargestCuts = 3;            // of one correction
-constexpr double kDivergence = 1e4;        // growth of the residual at which an increment is given up
+constexpr int kSettlingPasses = 2;
+constexpr double kSettledResidual = 0.1;
+constexpr int kLargestCuts = 3;      // of one correction
+constexpr double kDivergence = 1e4;  // growth of the residual at which an increment is given up
 
 /// The part of the way from the state to the target.
 Target interpolate(const State& state, const Target& target, double r) {
@@ -56,11 +56,7 @@ class Corrector {
     if (!predict()) return attempt_;
     for (int k = 1; k <= model_.increment.max_iterations; ++k) {
       attempt_.iterations = k;
-      if (k == 1) {
-        evaluate_trial();
-      } else {
-        search_along();
-      }
+      if (k > 1) search_along();
       if (is_done()) return attempt_;
       if (!std::isfinite(attempt_.residual) || attempt_.residual > kDivergence) {
         attempt_.end = Attempt::End::kDiverged;
@@ -106,26 +102,37 @@ class Corrector {
       attempt_.end = Attempt::End::kUnstable;
       return false;
     }
-    Solution solution = solve(model_, attempt_.loads, target_.use_volume, calc_volume_gap(), s_);
+    const Solution solution = solve(model_, attempt_.loads, target_.use_volume, calc_volume_gap(), s_);
     attempt_.limit = calc_step_limit(model_, solution.q, s_.trial);
-    if (getenv("HYDBG")) { //DBG
-      fprintf(stderr, "  pred res %.2e gap %.1e qmax %.3e lim %.3f %s at %d dt %.3e\n", calc_imbalance(model_, attempt_.loads, s_).residual, calc_gap_error(s_.trial), solution.q.cwiseAbs().maxCoeff(), attempt_.limit.fraction, to_string(attempt_.limit.limiter), attempt_.limit.at, target_.time-state_.time); //DBG
-      for (auto& cs : s_.trial.contacts) for (size_t i=0;i<cs.size();++i) if (cs[i].is_active()) fprintf(stderr, "     node %zu gap %.2e f %.4f pA %.4f qn %.2e h %.6f\n", i, cs[i].foot.gap, cs[i].normal_force, attempt_.loads.pressure*s_.trial.area[i], solution.q[5*(long)i], s_.trial.configuration.thickness[i]); //DBG
-    } //DBG
-    const double r = std::min(1.0, attempt_.limit.fraction);
-    target_ = interpolate(state_, target_, r);
-    solution.q *= r;
-    attempt_.loads = {target_.time, target_.use_volume ? attempt_.loads.pressure + r * solution.pressure_change
-                                                       : target_.pressure};
-    move(s_.trial.configuration, solution.q);
+    take_prediction(solution);
     return true;
   }
 
-  bool is_settled() const { return attempt_.iterations > kSettlingPasses; }
+  /// Moves by as much of the prediction as the limits allow. The strain it causes (r2) is measured
+  /// with the stresses integrated, and counts at once: a prediction with elastic stiffness may be far off.
+  void take_prediction(const Solution& solution) {
+    const Target whole = target_;
+    const double start_pressure = attempt_.loads.pressure;
+    attempt_.iterations = 1;
+    for (int cut = 0;; ++cut) {
+      const double r = std::min(1.0, attempt_.limit.fraction);
+      target_ = interpolate(state_, whole, r);
+      attempt_.loads = {target_.time,
+                        whole.use_volume ? start_pressure + r * solution.pressure_change : target_.pressure};
+      s_.trial.configuration = state_.configuration;
+      move(s_.trial.configuration, r * solution.q);
+      evaluate_trial();
+      const double fraction = calc_strain_fraction(model_, s_.trial);
+      if (fraction > 0.9 || cut == kLargestCuts) return;
+      attempt_.limit.reduce(0.95 * fraction * r, Limiter::kStrain, s_.trial.strain_at);
+    }
+  }
+
+  bool has_springs() const { return model_.contact.wall_stiffness > 0.0; }
+  bool is_settled() const { return is_settled_; }
 
   void evaluate_trial() {
-    evaluate(model_, state_, attempt_.loads,
-             {.assume_flow = false, .freeze_thickness = is_settled()}, s_);
+    evaluate(model_, state_, attempt_.loads, {.assume_flow = false, .freeze_thickness = is_settled()}, s_);
     evaluate_contacts(model_, state_, attempt_.loads, is_settled(), s_);
     attempt_.residual = calc_imbalance(model_, attempt_.loads, s_).residual;
   }
@@ -142,21 +149,23 @@ class Corrector {
       move(s_.trial.configuration, scale * correction_.q);
       attempt_.loads.pressure = base_pressure + scale * correction_.pressure_change;
       evaluate_trial();
-      const bool is_calm = attempt_.residual <= 1.5 * before || (is_closing_ && s_.trial.strain_increment <= strain_bound);
+      const bool is_calm =
+          attempt_.residual <= 1.5 * before || (is_closing_ && s_.trial.strain_increment <= strain_bound);
       if (is_calm || k == kLargestCuts) return;
     }
   }
 
   /// Contact set, friction and imbalance of the present trial; true when it is an equilibrium.
   bool is_done() {
-    const bool may_release = attempt_.residual < kReleaseResidual;
+    // Later ones wait for the next increment: letting go one after the other never ends.
+    const bool may_release = attempt_.residual < kReleaseResidual && attempt_.iterations <= kReleasePasses;
     const SetChange change = update_contact_set(model_, state_, attempt_.loads, may_release, s_);
     if (change.any()) evaluate_contacts(model_, state_, attempt_.loads, is_settled(), s_);
-    const double gap_tolerance = 0.1 * model_.touch_tolerance(), gap_error = model_.contact.wall_stiffness > 0.0 ? 0.0 : calc_gap_error(s_.trial);
+    const double gap_tolerance = 0.1 * model_.touch_tolerance(),
+                 gap_error = has_springs() ? 0.0 : calc_gap_error(s_.trial);
     is_closing_ = change.any() || gap_error > gap_tolerance;
+    if (attempt_.iterations >= kSettlingPasses && attempt_.residual < kSettledResidual) is_settled_ = true;
     volume_gap_ = calc_volume_gap();
-    if (getenv("HYDBG2")) for (size_t i : {2073ul,2074ul,2098ul,2099ul,2123ul,2124ul}) { auto& c=s_.trial.contacts[0][i]; fprintf(stderr,"      n%zu st %d gap %.3e f %.3f fr %.3f fn %.3f rel %d lock %d held %d n (%.4f %.4f %.4f) gg-n %.1e ng %.3f x (%.5f %.5f %.5f) V(%.4f %.4f %.4f) rr %.2f beyond %.2e facet %d\n", i,(int)c.status,c.foot.gap,c.normal_force,c.friction.norm(),c.friction_normal,c.is_releasing,c.locked,c.held_row,c.foot.normal[0],c.foot.normal[1],c.foot.normal[2],(c.foot.gap_gradient-c.foot.normal).norm(),c.foot.normal_gradient.norm(),s_.trial.configuration.x[i][0],s_.trial.configuration.x[i][1],s_.trial.configuration.x[i][2],s_.trial.configuration.triad[i].v[0],s_.trial.configuration.triad[i].v[1],s_.trial.configuration.triad[i].v[2],s_.trial.calc_residual(attempt_.loads).segment<3>(5*(long)i).norm(),c.foot.beyond_edge,c.foot.facet); } //DBG
-    if (getenv("HYDBG")) fprintf(stderr, "  at %d it %d res %.2e gap %.1e vgap %.1e touch %d rel %d recl %d strain %.4f p %.6g neg %d\n", s_.trial.strain_at, attempt_.iterations, attempt_.residual, calc_gap_error(s_.trial), volume_gap_/state_.volume, change.touched, change.released, change.reclosed, s_.trial.strain_increment, attempt_.loads.pressure, s_.last_factorisation.negative_pivots); //DBG
     if (is_closing_ || attempt_.residual > model_.increment.tolerance ||
         std::abs(volume_gap_) > kVolumeTolerance * std::abs(state_.volume)) {
       return false;
@@ -180,6 +189,7 @@ class Corrector {
   Attempt attempt_;
   Solution correction_;
   double volume_gap_ = 0.0;
+  bool is_settled_ = false;  ///< thickness and friction bounds stand still from here on
   bool is_closing_ = false;  ///< the contact set has changed, or gaps are still open
 };
 

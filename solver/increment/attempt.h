@@ -7,24 +7,24 @@ namespace hydroscope {
 
 /// What an increment is to reach.
 struct Target {
-  double time = 0.0;           ///< process time at its end [s]
-  bool use_volume = false;     ///< the enclosed volume is prescribed, the pressure follows
-  double pressure = 0.0;       ///< [MPa] at the end (pressure control) or first guess
-  double volume = 0.0;         ///< [mm^3] at the end (volume control)
-  bool is_turning = false;     ///< a path has just had a corner: points need not flow on
+  double time = 0.0;        ///< process time at its end [s]
+  bool use_volume = false;  ///< the enclosed volume is prescribed, the pressure follows
+  double pressure = 0.0;    ///< [MPa] at the end (pressure control) or first guess
+  double volume = 0.0;      ///< [mm^3] at the end (volume control)
+  bool is_turning = false;  ///< a path has just had a corner: points need not flow on
 };
 
 /// Outcome of one try at an increment; the trial in `scratch` holds its end.
 struct Attempt {
   enum class End { kConverged, kDiverged, kTooManyIterations, kSingular, kUnstable };
   End end = End::kDiverged;
-  Loads loads;                 ///< reached
-  double volume = 0.0;         ///< reached [mm^3]
-  StepLimit limit;             ///< of the predictor
+  Loads loads;          ///< reached
+  double volume = 0.0;  ///< reached [mm^3]
+  StepLimit limit;      ///< of the predictor
   double residual = 0.0;
   int iterations = 0;
-  int negative_pivots = 0;     ///< of the predictor's matrix: the last state's
-  double compliance = 0.0;     ///< g . K^-1 g of the predictor when it was unstable
+  int negative_pivots = 0;  ///< of the predictor's matrix: the last state's
+  double compliance = 0.0;  ///< g . K^-1 g of the predictor when it was unstable
 };
 
 /// Predictor and corrector from `state` to `target` (or to the part of it that r_min allows).

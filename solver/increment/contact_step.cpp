@@ -26,7 +26,8 @@ double calc_stick_stiffness(const Model& model, double area) {
 /// Stiffness of the outer half of the wall under contact pressure, E A / (h/2) [N/mm].
 double calc_wall_stiffness(const Model& model, double area) {
   if (model.contact.wall_stiffness <= 0.0) return std::numeric_limits<double>::infinity();
-  return model.contact.wall_stiffness * 2.0 * model.law.sheet.material.youngs_modulus / model.thickness * area;
+  return model.contact.wall_stiffness * 2.0 * model.law.sheet.material.youngs_modulus / model.thickness *
+         area;
 }
 
 void add_supports(const Model& model, const Loads& loads, const Configuration& c, std::size_t i,
@@ -74,13 +75,20 @@ bool is_held_along(const Model& model, std::size_t i, const Vec3& normal) {
 }
 
 /// Contact of one node with one tool: constraint row, normal force, friction, stiffness.
-void evaluate_point(const Model& model, const ContactPoint& start, const Tool& tool, std::size_t i,
-                    const NodeVector& residual, bool freeze_friction, Scratch& s, ContactPoint& point) {
+void evaluate_point(const Model& model, const Loads& loads, const ContactPoint& start, const Tool& tool,
+                    std::size_t i, const NodeVector& residual, bool freeze_friction, Scratch& s,
+                    ContactPoint& point) {
   Trial& trial = s.trial;
   const auto at = static_cast<Eigen::Index>(kDofs * i);
   const SlavePoint slave = make_slave_point(trial.configuration, i, tool);
-  point.normal_force = point.held_row < 0 ? 0.0 : -s.bases[i].transform().col(point.held_row).dot(residual);  // t_N, mechanics 9.1
-  if (!freeze_friction || point.friction_normal <= 0.0) point.friction_normal = point.normal_force;
+  point.normal_force = point.held_row < 0
+                           ? 0.0
+                           : -s.bases[i].transform().col(point.held_row).dot(residual);  // t_N, mechanics 9.1
+  if (!freeze_friction || point.friction_normal <= 0.0) {
+    // Far from equilibrium the normal force may be anything; friction must not follow it there.
+    const double bound = 2.0 * std::max(start.normal_force, 2.0 * std::abs(loads.pressure) * trial.area[i]);
+    point.friction_normal = loads.pressure != 0.0 ? std::min(point.normal_force, bound) : point.normal_force;
+  }
   const FrictionResult friction =
       calc_friction(start.friction, point.position - point.anchor, point.foot.normal, point.friction_normal,
                     tool.friction, calc_stick_stiffness(model, trial.area[i]));
@@ -140,7 +148,8 @@ void search_contacts(const Model& model, const Loads& loads, Scratch& s) {
         }
         // A node in contact is looked for farther: it must not be lost by one long step.
         const double reach = point.is_active() ? 2.0 : 1.0;
-        const auto foot = tool.surface->find_foot_point(point.position, reach * band, reach * depth, point.hint);
+        const auto foot =
+            tool.surface->find_foot_point(point.position, reach * band, reach * depth, point.hint);
         if (!foot) continue;
         point.has_foot = true;
         point.foot = *foot;
@@ -173,7 +182,8 @@ void evaluate_contacts(const Model& model, const State& state, const Loads& load
       touches = true;
       const NodeVector row =
           calc_gap_row(make_slave_point(trial.configuration, i, model.tools[t]), point.foot.normal);
-      if (is_held_along(model, i, point.foot.normal)) {  // its support already decides: only the fibre could turn
+      if (is_held_along(model, i,
+                        point.foot.normal)) {  // its support already decides: only the fibre could turn
         point.held_row = -1;
         continue;
       }
@@ -185,7 +195,8 @@ void evaluate_contacts(const Model& model, const State& state, const Loads& load
     const NodeVector r = residual.segment<kDofs>(static_cast<Eigen::Index>(kDofs * i));
     for (std::size_t t = 0; t < model.tools.size(); ++t) {
       ContactPoint& point = trial.contacts[t][i];
-      if (point.is_active()) evaluate_point(model, state.contacts[t][i], model.tools[t], i, r, freeze_friction, s, point);
+      if (point.is_active())
+        evaluate_point(model, loads, state.contacts[t][i], model.tools[t], i, r, freeze_friction, s, point);
     }
   }
 }
@@ -226,14 +237,14 @@ SetChange update_contact_set(const Model& model, const State& state, const Loads
         point.is_releasing = false;
         continue;
       }
-      if (!may_release || point.locked > 0) continue;
-      const double reference =
-          std::max(std::abs(loads.pressure) * trial.area[i], 0.1 * scale.mean_force);
+      if (!may_release) continue;
+      const double reference = std::max(std::abs(loads.pressure) * trial.area[i], 0.1 * scale.mean_force);
       const bool is_pulled = point.normal_force < -model.contact.release_tolerance * reference;
       const bool is_pulled_hard = point.normal_force < -kCertainTension * reference;
       const bool has_left_edge = point.foot.beyond_edge > 0.5 * model.thickness;
       if (has_left_edge || is_pulled_hard ||
-          (is_pulled && calc_smoothed_pressure(model, contacts, trial.area, static_cast<int>(i)) <= 0.0)) {
+          (is_pulled && point.locked == 0 &&
+           calc_smoothed_pressure(model, contacts, trial.area, static_cast<int>(i)) <= 0.0)) {
         releases.push_back(static_cast<int>(i));
       }
     }

@@ -79,8 +79,8 @@ Imbalance calc_imbalance(const Model& model, const Loads& loads, const Scratch& 
   for (const Vec3& r : calc_reactions(model, loads, s)) reactions += r.squaredNorm();
   const double reference =
       std::max({std::abs(loads.pressure) * calc_force_norm(s.trial.pressure_load),
-                calc_force_norm(s.trial.other_load), calc_force_norm(s.trial.normal_reaction), std::sqrt(reactions),
-                1e-9 * calc_diagonal(model) * model.thickness});
+                calc_force_norm(s.trial.other_load), calc_force_norm(s.trial.normal_reaction),
+                std::sqrt(reactions), 1e-9 * calc_diagonal(model) * model.thickness});
   return {std::sqrt(sum) / reference, reference};
 }
 
@@ -88,7 +88,8 @@ Factorisation factorise(const Model& model, Scratch& s) {
   const PhaseTimer timer(s.times.factorise);
   for (std::size_t i = 0; i < s.bases.size(); ++i) {
     for (int k = 0; k < kDofs; ++k) {
-      s.is_held[kDofs * i + static_cast<std::size_t>(k)] = (k < s.bases[i].n_held() && s.bases[i].is_eliminated(k)) ? 1 : 0;
+      s.is_held[kDofs * i + static_cast<std::size_t>(k)] =
+          (k < s.bases[i].n_held() && s.bases[i].is_eliminated(k)) ? 1 : 0;
     }
   }
   s.matrix.eliminate(s.is_held, calc_diagonal(model), s.values);

@@ -37,7 +37,8 @@ Factorisation factorise(const Model& model, Scratch& scratch);
 struct Solution {
   Vector q;
   double pressure_change = 0.0;
-  double compliance = 0.0;  ///< g . K^-1 g [mm^3/MPa]: negative past a limit point of pressure (volume control)
+  double compliance =
+      0.0;  ///< g . K^-1 g [mm^3/MPa]: negative past a limit point of pressure (volume control)
 };
 Solution solve(const Model& model, const Loads& loads, bool use_volume, double volume_gap, Scratch& scratch);
 

@@ -91,8 +91,8 @@ Scratch::Scratch(const Model& model, int threads)
     }
   }
   const auto size = static_cast<Eigen::Index>(kDofs * n);
-  for (Vector* v : {&trial.internal, &trial.pressure_load, &trial.other_load, &trial.friction,
-                    &trial.normal_reaction}) {
+  for (Vector* v :
+       {&trial.internal, &trial.pressure_load, &trial.other_load, &trial.friction, &trial.normal_reaction}) {
     *v = Vector::Zero(size);
   }
   trial.area.assign(n, 0.0);
@@ -111,7 +111,8 @@ ElementNodes gather_nodes(const Model& model, const Configuration& c, std::size_
   return nodes;
 }
 
-void evaluate_elements(const Model& model, const State& state, const Loads& loads, bool assume_flow, Scratch& s) {
+void evaluate_elements(const Model& model, const State& state, const Loads& loads, bool assume_flow,
+                       Scratch& s) {
   const PhaseTimer timer(s.times.assemble);
   Trial& trial = s.trial;
   trial.layers.resize(state.layers.size());
@@ -127,12 +128,13 @@ void evaluate_elements(const Model& model, const State& state, const Loads& load
         settings.sigma33.start[a] = state.sigma33[i];
         settings.sigma33.end[a] = trial.sigma33[i];
       }
-      s.responses[e] = evaluate_element(
-          model.law, gather_nodes(model, state.configuration, e), nodes,
-          {std::span(state.layers).subspan(e * n_l, n_l), std::span(state.gauss).subspan(e * kGaussPoints, kGaussPoints)},
-          settings,
-          {std::span(trial.layers).subspan(e * n_l, n_l), std::span(trial.gauss).subspan(e * kGaussPoints, kGaussPoints)},
-          &s.element_matrices[e]);
+      s.responses[e] = evaluate_element(model.law, gather_nodes(model, state.configuration, e), nodes,
+                                        {std::span(state.layers).subspan(e * n_l, n_l),
+                                         std::span(state.gauss).subspan(e * kGaussPoints, kGaussPoints)},
+                                        settings,
+                                        {std::span(trial.layers).subspan(e * n_l, n_l),
+                                         std::span(trial.gauss).subspan(e * kGaussPoints, kGaussPoints)},
+                                        &s.element_matrices[e]);
       s.pressure_loads[e] = add_pressure(model, nodes, loads.pressure, s.element_matrices[e]);
     }
   });
@@ -178,7 +180,8 @@ void evaluate_edge_loads(const Model& model, const Loads& loads, Trial& trial) {
     const Vec3 dead(edge.force_x(loads.time), edge.force_y(loads.time), 0.0);
     const double tension = edge.tension(loads.time);
     for (std::size_t k = 0; k < edge.nodes.size(); ++k) {
-      const auto i = static_cast<std::size_t>(edge.nodes[k]), j = static_cast<std::size_t>(edge.inner_nodes[k]);
+      const auto i = static_cast<std::size_t>(edge.nodes[k]),
+                 j = static_cast<std::size_t>(edge.inner_nodes[k]);
       const Vec3 tangent = (trial.configuration.x[i] - trial.configuration.x[j]).normalized();
       trial.other_load.segment<3>(static_cast<Eigen::Index>(kDofs * i)) +=
           edge.widths[k] * (dead + tension * tangent);

@@ -91,7 +91,8 @@ Weakest find_necking(const Model& model, const Scratch& s, const State& state) {
     double thickness = 0.0;
     for (const int i : model.quads[e]) thickness += 0.25 * state.wall[static_cast<std::size_t>(i)];
     // A wall that has not thinned by as much has been compressed or bent, not stretched.
-    const bool is_stretched = std::log(model.thickness / thickness) > 0.7 * 0.5 * std::numbers::sqrt3 * strain;
+    const bool is_stretched =
+        std::log(model.thickness / thickness) > 0.7 * 0.5 * std::numbers::sqrt3 * strain;
     if (is_past && is_stretched && !is_sticking(model, state, e)) weakest = {static_cast<int>(e), strain};
   }
   return weakest;
@@ -114,14 +115,15 @@ void judge_necking(const Model& model, const Scratch& s, State& state, Increment
   if (weakest.element < 0) return;
   const auto e = static_cast<std::size_t>(weakest.element);
   const Vec3 at = calc_centre(model, state, e);
-  const std::string place = format(" at (%.1f, %.1f, %.1f) mm, pressure %.4g MPa", at[0], at[1], at[2], state.pressure);
+  const std::string place =
+      format(" at (%.1f, %.1f, %.1f) mm, pressure %.4g MPa", at[0], at[1], at[2], state.pressure);
   warn(state, report, kNecking, "necking",
        "the wall has passed the maximum of its force" + place +
            format(" (plastic strain %.3f): from here on it may neck and no mesh converges", weakest.strain));
   const double ratio = calc_rate_ratio(model, state, e);
   if (ratio > model.limits.localisation) {
-    const std::string text = "the strain localises" + place +
-                             format(": %.1f times the rate of its surroundings", ratio);
+    const std::string text =
+        "the strain localises" + place + format(": %.1f times the rate of its surroundings", ratio);
     warn(state, report, kLocalisation, "localisation", text);
     return end_bursting(report, "bursting: " + text);
   }

@@ -25,43 +25,44 @@ struct Support {
 
 /// Line load on an edge of a strip.
 struct EdgeLoad {
-  std::vector<int> nodes, inner_nodes;  ///< edge nodes and their neighbours inside: the tangent leads from one to the other
-  std::vector<double> widths;           ///< tributary width of each node [mm]
-  Path force_x, force_y, tension;       ///< [N/mm]
+  std::vector<int> nodes,
+      inner_nodes;  ///< edge nodes and their neighbours inside: the tangent leads from one to the other
+  std::vector<double> widths;      ///< tributary width of each node [mm]
+  Path force_x, force_y, tension;  ///< [N/mm]
 };
 
 /// A chosen output number, resolved to nodes.
 struct Quantity {
   std::string name;
   QuantityScene scene;
-  std::vector<int> nodes;         ///< interpolation points, or the patch
-  std::vector<double> weights;    ///< of `nodes`
+  std::vector<int> nodes;       ///< interpolation points, or the patch
+  std::vector<double> weights;  ///< of `nodes`
   int tool = -1;
-  std::vector<int> of;            ///< indices of other quantities
+  std::vector<int> of;  ///< indices of other quantities
 };
 
 /// Everything about an analysis that does not change while it runs.
 struct Model {
   std::string title;
-  std::vector<Vec3> x0;                          ///< mid-surface nodes [mm]
+  std::vector<Vec3> x0;  ///< mid-surface nodes [mm]
   std::vector<std::array<int, 4>> quads;
   std::vector<Triad> triad0;
-  double thickness = 0.0;                        ///< initial [mm]
-  Vec3 axis = Vec3::UnitZ();                     ///< material axis 1
+  double thickness = 0.0;     ///< initial [mm]
+  Vec3 axis = Vec3::UnitZ();  ///< material axis 1
   std::vector<Plane> mirrors;
-  std::vector<std::vector<Support>> supports;    ///< one list a node
-  std::vector<Path> motions;                     ///< [mm]
+  std::vector<std::vector<Support>> supports;  ///< one list a node
+  std::vector<Path> motions;                   ///< [mm]
   std::vector<EdgeLoad> edge_loads;
   std::vector<Tool> tools;
   ShellLaw law;
   bool use_volume_control = false;
-  bool use_inner_surface = false;                ///< pressure acts on the inner face
+  bool use_inner_surface = false;  ///< pressure acts on the inner face
   bool use_load_stiffness = true;
-  bool use_through_wall_stress = false;          ///< sigma33 = mean of the faces' pressures
+  bool use_through_wall_stress = false;  ///< sigma33 = mean of the faces' pressures
   Path pressure, volume_ratio, feed;
-  double volume0 = 0.0;                          ///< enclosed volume of the modelled part at the start [mm^3]
-  double slice_width = 1.0;                      ///< modelled length along z [mm]: forces per mm
-  double element_size = 1.0;                     ///< smallest edge of the mesh [mm]
+  double volume0 = 0.0;       ///< enclosed volume of the modelled part at the start [mm^3]
+  double slice_width = 1.0;   ///< modelled length along z [mm]: forces per mm
+  double element_size = 1.0;  ///< smallest edge of the mesh [mm]
   double end_time = 1.0;
   ContactScene contact;
   IncrementScene increment;

@@ -14,7 +14,8 @@ namespace {
 template <typename Value>
 double interpolate(const Quantity& q, Value value) {
   double sum = 0.0;
-  for (std::size_t k = 0; k < q.nodes.size(); ++k) sum += q.weights[k] * value(static_cast<std::size_t>(q.nodes[k]));
+  for (std::size_t k = 0; k < q.nodes.size(); ++k)
+    sum += q.weights[k] * value(static_cast<std::size_t>(q.nodes[k]));
   return sum;
 }
 

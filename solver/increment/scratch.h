@@ -25,16 +25,16 @@ struct Trial {
   std::vector<GaussState> gauss;
   std::vector<std::vector<ContactPoint>> contacts;
   std::vector<double> sigma33;
-  std::vector<double> area;      ///< tributary mid-surface area [mm^2]
-  std::vector<double> volume;    ///< tributary volume [mm^3]
-  std::vector<double> wall;      ///< volume / area [mm]
-  Vector internal;               ///< internal force
-  Vector pressure_load;          ///< load of unit pressure
-  Vector other_load;             ///< edge loads
-  Vector friction;               ///< friction forces of the tools on the sheet
-  Vector normal_reaction;        ///< normal contact forces (for reports and the reference force)
+  std::vector<double> area;    ///< tributary mid-surface area [mm^2]
+  std::vector<double> volume;  ///< tributary volume [mm^3]
+  std::vector<double> wall;    ///< volume / area [mm]
+  Vector internal;             ///< internal force
+  Vector pressure_load;        ///< load of unit pressure
+  Vector other_load;           ///< edge loads
+  Vector friction;             ///< friction forces of the tools on the sheet
+  Vector normal_reaction;      ///< normal contact forces (for reports and the reference force)
   double strain_increment = 0.0, plastic_increment = 0.0;
-  int strain_at = -1;            ///< element with the largest strain increment
+  int strain_at = -1;  ///< element with the largest strain increment
 
   /// Out-of-balance force but for the reactions of supports and normal contact.
   Vector calc_residual(const Loads& loads) const {

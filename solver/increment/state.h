@@ -18,22 +18,23 @@ struct Configuration {
 /// The analysis at an accepted increment; a plain value.
 struct State {
   Configuration configuration;
-  std::vector<LayerState> layers;                     ///< elements x 4 x n_z
-  std::vector<GaussState> gauss;                      ///< elements x 4
-  std::vector<std::vector<ContactPoint>> contacts;    ///< one list a tool, one entry a node
-  std::vector<double> thinning_rate;                  ///< dh/dt of the last increment, a node [mm/s]
-  std::vector<double> recent_strain;                  ///< an element: plastic strain of late, per strain of the fastest element
-  std::vector<double> sigma33;                        ///< a node [MPa]
-  std::vector<double> outer_pressure;                 ///< smoothed contact pressure of the last state, a node [MPa]
-  std::vector<double> wall;                           ///< thickness at the nodes, volume over area [mm]
-  std::vector<double> area;                           ///< tributary mid-surface area of a node [mm^2]
-  std::vector<Vec3> reaction;                         ///< of the supports, a node [N]
-  double time = 0.0, pressure = 0.0, volume = 0.0;    ///< [s], [MPa], [mm^3]
+  std::vector<LayerState> layers;                   ///< elements x 4 x n_z
+  std::vector<GaussState> gauss;                    ///< elements x 4
+  std::vector<std::vector<ContactPoint>> contacts;  ///< one list a tool, one entry a node
+  std::vector<double> thinning_rate;                ///< dh/dt of the last increment, a node [mm/s]
+  std::vector<double>
+      recent_strain;            ///< an element: plastic strain of late, per strain of the fastest element
+  std::vector<double> sigma33;  ///< a node [MPa]
+  std::vector<double> outer_pressure;  ///< smoothed contact pressure of the last state, a node [MPa]
+  std::vector<double> wall;            ///< thickness at the nodes, volume over area [mm]
+  std::vector<double> area;            ///< tributary mid-surface area of a node [mm^2]
+  std::vector<Vec3> reaction;          ///< of the supports, a node [N]
+  double time = 0.0, pressure = 0.0, volume = 0.0;  ///< [s], [MPa], [mm^3]
   int increment = 0;
-  bool is_at_corner = true;                           ///< a path turned at `time`
-  double next_dt = 0.0;                               ///< increment to try next [s]
+  bool is_at_corner = true;  ///< a path turned at `time`
+  double next_dt = 0.0;      ///< increment to try next [s]
   double peak_pressure = 0.0;
-  std::vector<char> has_warned;                       ///< kinds of warnings already given
+  std::vector<char> has_warned;  ///< kinds of warnings already given
 };
 
 /// State at time 0: stress-free, contacts searched, nothing solved.

@@ -16,7 +16,8 @@ StepLimit calc_step_limit(const Model& model, const Vector& q, const Trial& tria
   for (std::size_t i = 0; i < model.x0.size(); ++i) {
     const NodeVector step = q.segment<kDofs>(static_cast<Eigen::Index>(kDofs * i));
     const double rotation = step.tail<2>().norm();
-    if (rotation > max_rotation) limit.reduce(max_rotation / rotation, Limiter::kRotation, static_cast<int>(i));
+    if (rotation > max_rotation)
+      limit.reduce(max_rotation / rotation, Limiter::kRotation, static_cast<int>(i));
     for (std::size_t t = 0; t < model.tools.size(); ++t) {
       const ContactPoint& point = trial.contacts[t][i];
       if (!point.has_foot) continue;
@@ -28,7 +29,8 @@ StepLimit calc_step_limit(const Model& model, const Vector& q, const Trial& tria
         const double slide = (move + closing * point.foot.normal).norm();
         if (slide > max_slide) limit.reduce(max_slide / slide, Limiter::kSlide, static_cast<int>(i));
       } else if (closing > 0.0) {
-        limit.reduce((std::max(point.foot.gap, 0.0) + allowance) / closing, Limiter::kTouch, static_cast<int>(i));
+        limit.reduce((std::max(point.foot.gap, 0.0) + allowance) / closing, Limiter::kTouch,
+                     static_cast<int>(i));
       }
     }
   }

@@ -24,7 +24,7 @@ Mat3 invert_orthotropic(const Mat3& m) {
 /// Where the return ends: plastic multiplier and all that follows from it.
 struct Return {
   double gamma = 0.0;
-  Mat3 moduli;           ///< Xi = (C^-1 + gamma P)^-1
+  Mat3 moduli;  ///< Xi = (C^-1 + gamma P)^-1
   Vec3 stress;
   double equivalent = 0.0;
   double plastic_strain = 0.0;
@@ -112,15 +112,16 @@ StressUpdate update_stress(const SheetLaw& law, const MaterialPoint& start, cons
   const double trial_stress = calc_equivalent_stress(law.yield_matrix, trial);
   if (trial_stress <= flow_stress) {
     constexpr double kOnSurface = 1.0 - 1e-8;
-    if (assume_flow && trial_stress > kOnSurface * flow_stress) out.tangent = calc_flow_tangent(law, out.point);
+    if (assume_flow && trial_stress > kOnSurface * flow_stress)
+      out.tangent = calc_flow_tangent(law, out.point);
     return out;
   }
 
   const Return r = find_return(law, law.compliance * trial, start.plastic_strain, trial_stress);
   const Vec3 ps = law.yield_matrix * r.stress;
   const Vec3 direction = r.moduli * ps;
-  const double hardening = 4.0 / 9.0 * r.slope * r.equivalent * r.equivalent /
-                           (1.0 - 2.0 / 3.0 * r.gamma * r.slope);
+  const double hardening =
+      4.0 / 9.0 * r.slope * r.equivalent * r.equivalent / (1.0 - 2.0 / 3.0 * r.gamma * r.slope);
   out.tangent = r.moduli - direction * direction.transpose() / (ps.dot(direction) + hardening);
   out.point = {r.stress, r.plastic_strain};
   out.is_plastic = true;

@@ -36,8 +36,8 @@ struct SheetLaw {
 };
 
 struct StressUpdate {
-  MaterialPoint point;   ///< at the end
-  Mat3 tangent;          ///< d stress / d strain, consistent with the return (Simo & Taylor 1986)
+  MaterialPoint point;  ///< at the end
+  Mat3 tangent;         ///< d stress / d strain, consistent with the return (Simo & Taylor 1986)
   bool is_plastic = false;
   double plastic_increment = 0.0;
 };

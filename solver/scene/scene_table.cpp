@@ -296,8 +296,9 @@ SceneTable make_tool() {
               "How node normals average those of the facets around; `facet` leaves them as they are.")
               .one_of({"facet", "plain", "area", "angle", "max"})
               .when("shape", {"mesh"}),
-          key<&T::surface>("surface", "",
-                           "Facets bent to fit their node normals (second order, after Nagata), or flat as they are.")
+          key<&T::surface>(
+              "surface", "",
+              "Facets bent to fit their node normals (second order, after Nagata), or flat as they are.")
               .one_of({"smooth", "facets"})
               .when("shape", {"mesh"}),
           key<&T::crease_angle>(
@@ -359,9 +360,10 @@ SceneTable make_contact() {
           key<&T::tolerance>("tolerance_mm", "mm",
                              "A point nearer than this touches; 0 stands for a thousandth of the thickness.")
               .in(0, 10),
-          key<&T::wall_stiffness>("wall_stiffness", "",
-                                  "Stiffness of the wall's outer half under contact pressure, against 2 E / h per "
-                                  "area; 0 stands for a rigid one.")
+          key<&T::wall_stiffness>(
+              "wall_stiffness", "",
+              "Stiffness of the wall's outer half under contact pressure, against 2 E / h per "
+              "area; 0 stands for a rigid one.")
               .in(0, 1e6),
           key<&T::stick_stiffness>("stick_stiffness", "",
                                    "Tangential stiffness of a sticking node against E / h per area, (4.45).")

@@ -39,8 +39,8 @@ Hardening make_hardening(const MaterialScene& m) {
 
 SheetMaterial make_material(const MaterialScene& m) {
   const bool is_hill = m.yield == "hill48";
-  return {m.youngs_modulus, m.poisson, is_hill ? m.r0 : 1.0, is_hill ? m.r45 : 1.0, is_hill ? m.r90 : 1.0,
-          make_hardening(m)};
+  return {m.youngs_modulus,      m.poisson,        is_hill ? m.r0 : 1.0, is_hill ? m.r45 : 1.0,
+          is_hill ? m.r90 : 1.0, make_hardening(m)};
 }
 
 Triad make_triad(const Vec3& director) {
@@ -112,7 +112,8 @@ void add_edge(Model& model, const SheetMesh& sheet, const std::string& which, co
     hold("y", Vec3::UnitY(), edge.move_y);
     if (holds("rotation")) add_support(model, i, Support::Kind::kClamp, Vec3::Zero());
   }
-  if (!load.force_x.empty() || !load.force_y.empty() || !load.tension.empty()) model.edge_loads.push_back(load);
+  if (!load.force_x.empty() || !load.force_y.empty() || !load.tension.empty())
+    model.edge_loads.push_back(load);
 }
 
 void add_sheet(Model& model, const Scene& scene, const SheetMesh& sheet) {

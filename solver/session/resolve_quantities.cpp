@@ -58,17 +58,21 @@ int find_tool(const Scene& scene, const std::string& name, const Model& model, c
   refuse(scene, name, "there is no tool \"" + tool + "\"");
 }
 
-void check_range(const Scene& scene, const SheetMesh& sheet, const std::string& name, const QuantityScene& q) {
-  if (scene.sheet == "mesh") refuse(scene, name, "places on an imported mesh cannot be named yet; use \"volume\"");
+void check_range(const Scene& scene, const SheetMesh& sheet, const std::string& name,
+                 const QuantityScene& q) {
+  if (scene.sheet == "mesh")
+    refuse(scene, name, "places on an imported mesh cannot be named yet; use \"volume\"");
   if (scene.sheet == "strip") return;
   const double last = sheet.is_ring ? 360.0 : sheet.positions.back();
   if (q.angle < -1e-9 || q.angle > last + 1e-9) {
-    refuse(scene, name, "angle_deg = " + std::to_string(q.angle) + " lies outside the modelled section, 0 to " +
-                            std::to_string(last));
+    refuse(scene, name,
+           "angle_deg = " + std::to_string(q.angle) + " lies outside the modelled section, 0 to " +
+               std::to_string(last));
   }
   if (q.z < sheet.z.front() - 1e-9 || q.z > sheet.z.back() + 1e-9) {
-    refuse(scene, name, "z_mm = " + std::to_string(q.z) + " lies outside the modelled length, " +
-                            std::to_string(sheet.z.front()) + " to " + std::to_string(sheet.z.back()));
+    refuse(scene, name,
+           "z_mm = " + std::to_string(q.z) + " lies outside the modelled length, " +
+               std::to_string(sheet.z.front()) + " to " + std::to_string(sheet.z.back()));
   }
 }
 

@@ -47,7 +47,9 @@ Schedule make_frame_schedule(const FramesScene& frames, double end) {
 
 struct Run::Impl {
   Impl(const Scene& s, const RunOptions& o)
-      : scene(s), options(o), model(build_model(s)),
+      : scene(s),
+        options(o),
+        model(build_model(s)),
         shared(std::make_shared<SnapshotModel>(make_snapshot_model(model))) {
     for (const Quantity& q : model.quantities) names.push_back(q.name);
   }
@@ -118,7 +120,8 @@ RunSummary Run::run(const RunObserver& observer) {
       if (observer.on_increment) observer.on_increment(report);
       summary.quantities = report.quantities;
     }
-    const bool state_due = states.is_due(state.time) || is_last, frame_due = frames.is_due(state.time) || is_last;
+    const bool state_due = states.is_due(state.time) || is_last,
+               frame_due = frames.is_due(state.time) || is_last;
     if (state_due || frame_due) show(state_due, frame_due);
     summary.outcome = report.outcome;
     summary.message = report.message;

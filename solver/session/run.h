@@ -33,10 +33,10 @@ struct RunSummary {
   int increments = 0;
   int factorisations = 0;
   int degrees_of_freedom = 0;
-  double time = 0.0;                          ///< process time reached [s]
-  PhaseTimes wall;                            ///< [s]
+  double time = 0.0;  ///< process time reached [s]
+  PhaseTimes wall;    ///< [s]
   std::vector<std::string> quantity_names;
-  std::vector<double> quantities;             ///< at the last good state
+  std::vector<double> quantities;  ///< at the last good state
   std::vector<Warning> warnings;
 };
 

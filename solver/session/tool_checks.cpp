@@ -74,13 +74,13 @@ void check_tools(const Model& model, const Scene& scene) {
   const double sheet_size = calc_size(model.x0);
   for (const Tool& tool : model.tools) {
     const ToolScene& settings = scene.tools.at(tool.name);
-    const std::string where = scene.file + ": tool." + tool.name +
-                              (settings.file.empty() ? "" : " (" + settings.file + ")");
+    const std::string where =
+        scene.file + ": tool." + tool.name + (settings.file.empty() ? "" : " (" + settings.file + ")");
     check_units(where, settings, calc_size(tool.surface->display_mesh().points), sheet_size);
     const Sides sides = count_sides(model, tool, 0.5 * sheet_size);
     if (sides.behind > 3 * sides.front && -sides.deepest > model.thickness) {
-      throw InputError(where + ": the sheet lies behind the tool at " + std::to_string(sides.behind) + " of " +
-                       std::to_string(sides.behind + sides.front) +
+      throw InputError(where + ": the sheet lies behind the tool at " + std::to_string(sides.behind) +
+                       " of " + std::to_string(sides.behind + sides.front) +
                        " nodes; the tool's normals point away from it: " +
                        (settings.shape == "mesh" ? "set flip = true" : "check side, direction and face"));
     }

@@ -73,7 +73,8 @@ LayerResponse advance_layer(const SheetLaw& law, const LayerState& state, const 
   const Stretch stretch = calc_stretch(calc_frame(start), end_frame);
   LayerResponse out;
   out.strain_increment = turn_strain(stretch.strain, std::cos(state.angle), std::sin(state.angle));
-  const StressUpdate update = update_stress(law, state.point, out.strain_increment, sigma33_increment, assume_flow);
+  const StressUpdate update =
+      update_stress(law, state.point, out.strain_increment, sigma33_increment, assume_flow);
   out.state = {update.point, state.angle + stretch.spin};
   out.plastic_increment = update.plastic_increment;
   const Vec3 stress = update.point.stress + Vec3(sigma33, sigma33, 0.0);

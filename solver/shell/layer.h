@@ -23,9 +23,9 @@ struct LayerState {
 /// tangent, Voigt order 11, 22, 12 with the covariant strains (E11, E22, 2 E12).
 struct LayerResponse {
   LayerState state;
-  Vec3 stress;                   ///< tau^ij [MPa]
-  Mat3 tangent;                  ///< d tau^ij / d E_kl, symmetric: T^T (C - Q) T (mechanics 1.2, 1.4)
-  Vec3 strain_increment;         ///< D dt in the material frame
+  Vec3 stress;            ///< tau^ij [MPa]
+  Mat3 tangent;           ///< d tau^ij / d E_kl, symmetric: T^T (C - Q) T (mechanics 1.2, 1.4)
+  Vec3 strain_increment;  ///< D dt in the material frame
   double plastic_increment = 0.0;
 };
 

@@ -40,8 +40,8 @@ Section integrate_section(const ShellLaw& law, const MetricPolynomial& start, co
   for (std::size_t k = 0; k < n; ++k) {
     const double z = law.rule.zeta[k];
     const Metric from = start(z);
-    const LayerResponse r =
-        advance_layer(law.sheet, layers[k], from, end(z), sigma33_end, sigma33_end - sigma33_start, assume_flow);
+    const LayerResponse r = advance_layer(law.sheet, layers[k], from, end(z), sigma33_end,
+                                          sigma33_end - sigma33_start, assume_flow);
     out[k] = r.state;
     const double share = law.rule.weight[k] * std::sqrt(from.det()) / total;
     const double w = volume * share;
@@ -96,8 +96,8 @@ Eigen::Matrix<double, 9, kElementDofs> calc_strain_rows(const Bases& b, const Sh
 }
 
 /// Initial-stress part: second variations of the metric's coefficients.
-void add_initial_stress(const Generalised& stress, const ShapeFunctions& s, const std::array<DirectorMap, 4>& w,
-                        ElementMatrix& k) {
+void add_initial_stress(const Generalised& stress, const ShapeFunctions& s,
+                        const std::array<DirectorMap, 4>& w, ElementMatrix& k) {
   const auto bilinear = [&](Eigen::Index at, std::size_t a, std::size_t b) {
     return stress[at] * s.n1[a] * s.n1[b] + stress[at + 1] * s.n2[a] * s.n2[b] +
            stress[at + 2] * (s.n1[a] * s.n2[b] + s.n2[a] * s.n1[b]);
@@ -187,15 +187,15 @@ ElementResponse evaluate_element(const ShellLaw& law, const ElementNodes& start,
     GaussState& gauss = out.gauss[i] = state.gauss[i];
     const double volume = gauss.volume * gauss.dilatation;
     const double s33 = interpolate(settings.sigma33.end, s);
-    const Section section =
-        integrate_section(law, metric_start, metric_end, state.layers.subspan(i * n_z, n_z),
-                          out.layers.subspan(i * n_z, n_z), interpolate(settings.sigma33.start, s), s33,
-                          settings.assume_flow, volume);
-    advance_shear(law, metric_start.c0, 0.5 * interpolate(start.thickness, s), gauss_point(static_cast<int>(i)),
-                  volume, shear_start, shear_end, gauss, shear);
+    const Section section = integrate_section(
+        law, metric_start, metric_end, state.layers.subspan(i * n_z, n_z), out.layers.subspan(i * n_z, n_z),
+        interpolate(settings.sigma33.start, s), s33, settings.assume_flow, volume);
+    advance_shear(law, metric_start.c0, 0.5 * interpolate(start.thickness, s),
+                  gauss_point(static_cast<int>(i)), volume, shear_start, shear_end, gauss, shear);
     const SheetMaterial& m = law.sheet.material;
     gauss.dilatation = 1.0 + (1.0 - 2.0 * m.poisson) / m.youngs_modulus * section.trace;
-    const Vec3 n = section.stress.segment<3>(0), mo = section.stress.segment<3>(3), k = section.stress.segment<3>(6);
+    const Vec3 n = section.stress.segment<3>(0), mo = section.stress.segment<3>(3),
+               k = section.stress.segment<3>(6);
     const double area = std::sqrt(metric_end.c0.det());
     for (std::size_t a = 0; a < 4; ++a) {
       force[a] += contract(n, s.n1[a], s.n2[a], bases.g1, bases.g2) +

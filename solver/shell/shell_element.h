@@ -10,9 +10,9 @@
 
 namespace hydroscope {
 
-inline constexpr int kDofs = 5;            ///< u_x, u_y, u_z [mm], alpha, beta [rad] (about V1, V2)
+inline constexpr int kDofs = 5;  ///< u_x, u_y, u_z [mm], alpha, beta [rad] (about V1, V2)
 inline constexpr int kElementDofs = 20;
-inline constexpr int kGaussPoints = 4;     ///< 2 x 2 in the plane
+inline constexpr int kGaussPoints = 4;  ///< 2 x 2 in the plane
 
 using ElementVector = Eigen::Matrix<double, kElementDofs, 1>;
 using ElementMatrix = Eigen::Matrix<double, kElementDofs, kElementDofs>;
@@ -25,21 +25,22 @@ struct Triad {
 
 /// Nodes of one element in one configuration.
 struct ElementNodes {
-  std::array<Vec3, 4> x;               ///< mid-surface [mm]
+  std::array<Vec3, 4> x;  ///< mid-surface [mm]
   std::array<Triad, 4> triad;
-  std::array<double, 4> thickness{};   ///< h [mm]
+  std::array<double, 4> thickness{};  ///< h [mm]
 };
 
 /// What a Gauss point remembers beside its layers.
 struct GaussState {
-  Vec2 shear = Vec2::Zero();     ///< contravariant transverse shear S^1, S^2 (tied, elastic)
-  double volume = 0.0;           ///< reference volume [mm^3]: constant, so mass is kept
-  double dilatation = 1.0;       ///< elastic volume ratio J = 1 + (1 - 2 nu)/E tr sigma, of the last accepted state
+  Vec2 shear = Vec2::Zero();  ///< contravariant transverse shear S^1, S^2 (tied, elastic)
+  double volume = 0.0;        ///< reference volume [mm^3]: constant, so mass is kept
+  double dilatation =
+      1.0;  ///< elastic volume ratio J = 1 + (1 - 2 nu)/E tr sigma, of the last accepted state
 };
 
-struct ElementPart {                      ///< views into the state of one element
-  std::span<const LayerState> layers;     ///< 4 x n_z
-  std::span<const GaussState> gauss;      ///< 4
+struct ElementPart {                   ///< views into the state of one element
+  std::span<const LayerState> layers;  ///< 4 x n_z
+  std::span<const GaussState> gauss;   ///< 4
 };
 struct ElementPartOut {
   std::span<LayerState> layers;
@@ -47,11 +48,11 @@ struct ElementPartOut {
 };
 
 struct ElementResponse {
-  ElementVector force;                    ///< internal force [N, N mm]
-  std::array<double, 4> area{};           ///< tributary mid-surface area of each node [mm^2]
-  std::array<double, 4> volume{};         ///< tributary volume of each node [mm^3]
-  double strain_increment = 0.0;          ///< largest equivalent total strain increment
-  double plastic_increment = 0.0;         ///< largest equivalent plastic strain increment
+  ElementVector force;             ///< internal force [N, N mm]
+  std::array<double, 4> area{};    ///< tributary mid-surface area of each node [mm^2]
+  std::array<double, 4> volume{};  ///< tributary volume of each node [mm^3]
+  double strain_increment = 0.0;   ///< largest equivalent total strain increment
+  double plastic_increment = 0.0;  ///< largest equivalent plastic strain increment
 };
 
 /// Material and integration shared by all elements.

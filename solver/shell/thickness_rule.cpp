@@ -109,7 +109,8 @@ ThicknessRule make_thickness_rule(const std::string& kind, int points) {
     if (points < 2 || points % 2 != 0) refuse(kind, points, "an even number of points from 2");
     return make_split_gauss(points);
   }
-  throw InputError("shell.thickness_rule = \"" + kind + "\": expected gauss, lobatto, simpson or split_gauss");
+  throw InputError("shell.thickness_rule = \"" + kind +
+                   "\": expected gauss, lobatto, simpson or split_gauss");
 }
 
 }  // namespace hydroscope

@@ -17,8 +17,8 @@ TiedShear::TiedShear(const ElementNodes& nodes) {
   }
 }
 
-void add_shear_force(const TiedShear& shear, const std::array<double, 4>& s,
-                     std::array<Vec3, 4>& force, std::array<Vec3, 4>& fibre_force) {
+void add_shear_force(const TiedShear& shear, const std::array<double, 4>& s, std::array<Vec3, 4>& force,
+                     std::array<Vec3, 4>& fibre_force) {
   for (std::size_t t = 0; t < 4; ++t) {
     for (std::size_t a = 0; a < 4; ++a) {
       force[a] += s[t] * shear.dn[t][a] * shear.g3[t];
@@ -28,8 +28,8 @@ void add_shear_force(const TiedShear& shear, const std::array<double, 4>& s,
 }
 
 void add_shear_stiffness(const TiedShear& shear, const std::array<double, 4>& s,
-                         const Eigen::Matrix4d& moduli,
-                         const std::array<Eigen::Matrix<double, 3, 2>, 4>& w, ElementMatrix& stiffness) {
+                         const Eigen::Matrix4d& moduli, const std::array<Eigen::Matrix<double, 3, 2>, 4>& w,
+                         ElementMatrix& stiffness) {
   Eigen::Matrix<double, 4, kElementDofs> rows;
   for (std::size_t t = 0; t < 4; ++t) {
     for (std::size_t a = 0; a < 4; ++a) {

@@ -23,8 +23,8 @@ struct SnapshotModel {
   std::vector<Plane> mirrors;
   struct Tool {
     std::string name;
-    TriangleMesh mesh;            ///< in the tool's frame [mm]
-    std::vector<Vec3> normals;    ///< continuous node normals, unit
+    TriangleMesh mesh;          ///< in the tool's frame [mm]
+    std::vector<Vec3> normals;  ///< continuous node normals, unit
   };
   std::vector<Tool> tools;
 };
@@ -34,23 +34,23 @@ struct SnapshotModel {
 struct Snapshot {
   std::shared_ptr<const SnapshotModel> model;
   int increment = 0;
-  double time = 0.0;      ///< process time [s]
-  double pressure = 0.0;  ///< [MPa]
-  double feed = 0.0;      ///< axial feed [mm]
-  std::vector<Vec3> points;                 ///< mid-surface [mm]
-  std::vector<Vec3> directors;              ///< unit, towards the outer face
-  std::vector<double> thickness;            ///< [mm]
-  std::vector<double> plastic_strain;       ///< equivalent, largest through the thickness
+  double time = 0.0;                   ///< process time [s]
+  double pressure = 0.0;               ///< [MPa]
+  double feed = 0.0;                   ///< axial feed [mm]
+  std::vector<Vec3> points;            ///< mid-surface [mm]
+  std::vector<Vec3> directors;         ///< unit, towards the outer face
+  std::vector<double> thickness;       ///< [mm]
+  std::vector<double> plastic_strain;  ///< equivalent, largest through the thickness
   std::vector<ContactClass> contact_state;
-  std::vector<int> contact_tool;            ///< index into model->tools; -1 free
-  std::vector<double> gap;                  ///< to the nearest tool [mm]; NaN when out of its band
-  std::vector<double> contact_pressure;     ///< smoothed [MPa]
-  std::vector<Vec3> contact_force;          ///< tool on sheet, normal and friction [N]
-  std::vector<Vec3> tool_normal;            ///< at the foot point; zero when free
-  std::vector<Vec3> slip;                   ///< accumulated sliding vector [mm]
-  std::vector<Vec3> slip_increment;         ///< of the last increment [mm]
-  std::vector<Vec3> tool_translation;       ///< one a tool [mm]
-  std::map<std::string, double> quantities; ///< as declared by the scene
+  std::vector<int> contact_tool;             ///< index into model->tools; -1 free
+  std::vector<double> gap;                   ///< to the nearest tool [mm]; NaN when out of its band
+  std::vector<double> contact_pressure;      ///< smoothed [MPa]
+  std::vector<Vec3> contact_force;           ///< tool on sheet, normal and friction [N]
+  std::vector<Vec3> tool_normal;             ///< at the foot point; zero when free
+  std::vector<Vec3> slip;                    ///< accumulated sliding vector [mm]
+  std::vector<Vec3> slip_increment;          ///< of the last increment [mm]
+  std::vector<Vec3> tool_translation;        ///< one a tool [mm]
+  std::map<std::string, double> quantities;  ///< as declared by the scene
 };
 
 }  // namespace hydroscope

@@ -37,14 +37,15 @@ BlockMatrix::BlockMatrix(int n_nodes, const std::vector<std::array<int, 4>>& qua
         if (a < b) continue;
         const auto& list = neighbours_[static_cast<std::size_t>(b)];
         const auto at = std::lower_bound(list.begin(), list.end(), a) - list.begin();
-        contributions_[static_cast<std::size_t>(b)].push_back({static_cast<int>(e), i, j, static_cast<int>(at)});
+        contributions_[static_cast<std::size_t>(b)].push_back(
+            {static_cast<int>(e), i, j, static_cast<int>(at)});
       }
     }
   }
 }
 
-void BlockMatrix::assemble(const std::vector<ElementMatrix>& elements, const std::vector<NodeBlock>& node_blocks,
-                           std::size_t begin, std::size_t end) {
+void BlockMatrix::assemble(const std::vector<ElementMatrix>& elements,
+                           const std::vector<NodeBlock>& node_blocks, std::size_t begin, std::size_t end) {
   for (std::size_t b = begin; b < end; ++b) {
     const auto height = static_cast<Eigen::Index>(kDofs * neighbours_[b].size());
     double* first = values_.data() + column_starts_[kDofs * b];
@@ -62,8 +63,8 @@ Vector BlockMatrix::multiply(const Vector& x) const {
   Vector y = Vector::Zero(x.size());
   for (int j = 0; j < size(); ++j) {
     const int diagonal_end = kDofs * (j / kDofs + 1);
-    for (int k = column_starts_[static_cast<std::size_t>(j)]; k < column_starts_[static_cast<std::size_t>(j) + 1];
-         ++k) {
+    for (int k = column_starts_[static_cast<std::size_t>(j)];
+         k < column_starts_[static_cast<std::size_t>(j) + 1]; ++k) {
       const int i = rows_[static_cast<std::size_t>(k)];
       const double v = values_[static_cast<std::size_t>(k)];
       y[i] += v * x[j];
@@ -73,12 +74,13 @@ Vector BlockMatrix::multiply(const Vector& x) const {
   return y;
 }
 
-void BlockMatrix::eliminate(const std::vector<char>& is_held, double diagonal, std::vector<double>& values) const {
+void BlockMatrix::eliminate(const std::vector<char>& is_held, double diagonal,
+                            std::vector<double>& values) const {
   values = values_;
   for (int j = 0; j < size(); ++j) {
     const bool is_column_held = is_held[static_cast<std::size_t>(j)] != 0;
-    for (int k = column_starts_[static_cast<std::size_t>(j)]; k < column_starts_[static_cast<std::size_t>(j) + 1];
-         ++k) {
+    for (int k = column_starts_[static_cast<std::size_t>(j)];
+         k < column_starts_[static_cast<std::size_t>(j) + 1]; ++k) {
       const int i = rows_[static_cast<std::size_t>(k)];
       if (is_column_held || is_held[static_cast<std::size_t>(i)] != 0) {
         values[static_cast<std::size_t>(k)] = (i == j) ? diagonal : 0.0;

@@ -45,7 +45,7 @@ class BlockMatrix {
     int block;                 ///< position in the column node's list
   };
   int n_nodes_;
-  std::vector<std::vector<int>> neighbours_;            ///< nodes >= the column's node, ascending
+  std::vector<std::vector<int>> neighbours_;              ///< nodes >= the column's node, ascending
   std::vector<std::vector<Contribution>> contributions_;  ///< of each column node
   std::vector<int> column_starts_, rows_;
   std::vector<double> values_;

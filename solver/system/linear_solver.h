@@ -9,10 +9,10 @@ namespace hydroscope {
 
 /// Result of a numeric factorisation.
 struct Factorisation {
-  bool is_usable = false;    ///< false: exactly singular
-  int negative_pivots = 0;   ///< of D in L D L^T (method section 6)
+  bool is_usable = false;       ///< false: exactly singular
+  int negative_pivots = 0;      ///< of D in L D L^T (method section 6)
   double smallest_pivot = 0.0;  ///< in absolute value, relative to the largest
-  int factorisations = 0;    ///< 1, or 2 when the supernodal one had to stop
+  int factorisations = 0;       ///< 1, or 2 when the supernodal one had to stop
 };
 
 /// Sparse symmetric direct solver: one symbolic analysis, then supernodal

@@ -23,7 +23,8 @@ class NodeBasis {
   /// row depends on those already there (then it is left out). A finite
   /// `stiffness` alpha [N/mm] makes it a spring alpha (value - C q) on the
   /// diagonal (4.58)-(4.62); infinite (the default) it is eliminated.
-  int add_row(const NodeVector& row, double value, double stiffness = std::numeric_limits<double>::infinity());
+  int add_row(const NodeVector& row, double value,
+              double stiffness = std::numeric_limits<double>::infinity());
   /// Builds T; call after the last add_row().
   void finish();
 
@@ -36,8 +37,10 @@ class NodeBasis {
 
  private:
   int n_held_ = 0;
-  Eigen::Matrix<double, kDofs, kDofs> rows_ = Eigen::Matrix<double, kDofs, kDofs>::Zero();        ///< columns are rows of C
-  Eigen::Matrix<double, kDofs, kDofs> orthonormal_ = Eigen::Matrix<double, kDofs, kDofs>::Zero(); ///< Gram-Schmidt of them
+  Eigen::Matrix<double, kDofs, kDofs> rows_ =
+      Eigen::Matrix<double, kDofs, kDofs>::Zero();  ///< columns are rows of C
+  Eigen::Matrix<double, kDofs, kDofs> orthonormal_ =
+      Eigen::Matrix<double, kDofs, kDofs>::Zero();  ///< Gram-Schmidt of them
   std::array<double, kDofs> values_{}, stiffness_{};
   NodeBlock transform_;
 };
