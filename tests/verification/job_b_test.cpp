@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/verification/run_scene.h"
+
+namespace hydroscope::verification {
+namespace {
+
+// A small real job: steel tube of outer radius 20 and wall 1 in a square die, frictionless. The
+// reference was computed with 2 x 48 bricks (CalculiX 2.20, C3D8I), itself good to about 1 %.
+TEST(JobB, SliceMeetsTheBricks) {
+  const History h = run_scene("job-b.toml");
+  const struct {
+    double pressure, r45, force, t_centre, t_corner;
+  } kPoints[] = {{20.0, 16.867, 72.7, 0.9125, 0.933},
+                 {25.0, 13.992, 162.5, 0.866, 0.911},
+                 {30.0, 11.748, 261.9, 0.829, 0.906}};
+  for (const auto& point : kPoints) {
+    const auto compare = [&](const char* name, double wanted) {
+      const double value = h.value_at(name, "pressure", point.pressure);
+      EXPECT_LT(relative_error(value, wanted), 0.015)
+          << name << " at " << point.pressure << " MPa: " << value << " wanted " << wanted;
+      RecordProperty(std::string(name) + "_at_" + std::to_string(static_cast<int>(point.pressure)),
+                     std::to_string(value) + " wanted " + std::to_string(wanted));
+    };
+    compare("r45_mm", point.r45);
+    compare("flat_force_N_per_mm", point.force);
+    compare("t_centre_mm", point.t_centre);
+    compare("t_corner_mm", point.t_corner);
+  }
+}
+
+// With room to bulge (half-width 22) the tube meets its pressure maximum before it touches.
+const std::vector<std::string> kWide = {"tool.die.half_width_mm=22", "tool.die.half_height_mm=22"};
+
+TEST(JobB, WideDieBurstsUnderPressureControl) {
+  const History h = run_scene("job-b.toml", kWide);
+  EXPECT_EQ(h.summary.outcome, Outcome::kPressureMaximum) << h.summary.message;
+  EXPECT_LT(relative_error(h.rows.back().pressure, 15.85), 0.01);
+  RecordProperty("pressure_maximum_MPa", std::to_string(h.rows.back().pressure));
+}
+
+TEST(JobB, WideDieNecksUnderVolumeControl) {
+  std::vector<std::string> assignments = kWide;
+  assignments.push_back("load.control=volume");
+  assignments.push_back("load.volume_ratio=[[0, 1], [1, 1.5]]");
+  const History h = run_scene("job-b.toml", assignments);
+  const double p = h.pressure_of_warning("necking");
+  EXPECT_GT(p, 18.8 * 0.97);
+  EXPECT_LT(p, 19.0 * 1.03);
+  RecordProperty("necking_at_MPa", std::to_string(p));
+  RecordProperty("outcome", h.summary.message);
+}
+
+}  // namespace
+}  // namespace hydroscope::verification
