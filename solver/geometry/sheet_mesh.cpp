@@ -66,7 +66,7 @@ void add_section_symmetry(SheetMesh& m, double angle) {
       break;  // repeated mirroring would not close the ring
     m.mirrors.push_back({Vec3::Zero(), plane_normal(a)});
   }
-  m.mirrors.push_back({Vec3::Zero(), Vec3::UnitY()});
+  m.mirrors.push_back({Vec3::Zero(), -Vec3::UnitY()});
 }
 
 void add_length_symmetry(SheetMesh& m, const TubeScene& scene) {
@@ -76,7 +76,7 @@ void add_length_symmetry(SheetMesh& m, const TubeScene& scene) {
     m.symmetry.push_back({Vec3::UnitZ(), high});
   } else if (scene.extent == "half") {
     m.symmetry.push_back({Vec3::UnitZ(), low});
-    m.mirrors.push_back({Vec3::Zero(), Vec3::UnitZ()});
+    m.mirrors.push_back({Vec3::Zero(), -Vec3::UnitZ()});
     m.end_nodes = high;
   } else {
     m.start_nodes = low;

@@ -8,6 +8,7 @@
 
 #include "solver/increment/accept.h"
 #include "solver/increment/attempt.h"
+#include "solver/increment/measures.h"
 
 namespace hydroscope {
 
@@ -82,6 +83,11 @@ void end_run(IncrementReport& report, Outcome outcome, const std::string& messag
 void report_failure(const Model& model, const State& state, const Attempt& attempt, Scratch& scratch,
                     IncrementReport& report) {
   const std::string at = "at " + describe_pressure(state.pressure);
+  if (has_necked(state)) {
+    return end_run(
+        report, Outcome::kBursting,
+        "bursting " + at + ": the wall is past the maximum of its force and its neck holds no longer");
+  }
   if (attempt.end == Attempt::End::kUnstable && attempt.compliance >= 0.0) {
     return end_run(report, Outcome::kBuckling,
                    "buckling " + at + ": the stiffness has " + std::to_string(attempt.negative_pivots) +
@@ -109,8 +115,9 @@ IncrementReport advance(const Model& model, State& state, Scratch& scratch) {
   const double floor = model.increment.smallest * model.end_time;
   double dt = std::max(state.next_dt, floor);
   const double corner = find_corner(model, state);
-  while (true) {
-    const Target target = make_target(model, state, dt, corner);
+  for (int tries = 0;; ++tries) {
+    Target target = make_target(model, state, dt, corner);
+    target.predicts_thickness = tries % 2 == 0;  // where the wall begins to stick the last rate misleads
     const double tried = target.time - state.time;
     const Attempt attempt = try_increment(model, state, target, scratch);
     if (attempt.end == Attempt::End::kConverged) {

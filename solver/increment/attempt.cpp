@@ -80,20 +80,26 @@ class Corrector {
     return false;
   }
 
-  /// Gaps of the predictor count with the wall as thin as it will be (mechanics 8.1).
-  void predict_thinning() {
+  /// The wall as thick as it will be at the target, from the rate of the last increment
+  /// (mechanics 8.1). Where it can be foretold it stands still for the whole increment: what the
+  /// prediction misses is of second order and is made up in the next one.
+  bool can_predict_thickness() const {
+    return target_.predicts_thickness && !target_.is_turning && state_.increment > 0 &&
+           target_.time > state_.time;
+  }
+  void predict_thickness() {
+    if (!can_predict_thickness()) return;
     const double dt = target_.time - state_.time;
-    if (target_.is_turning || dt <= 0.0) return;
     std::vector<double>& h = s_.trial.configuration.thickness;
     for (std::size_t i = 0; i < h.size(); ++i) {
-      h[i] = state_.configuration.thickness[i] + std::min(0.0, state_.thinning_rate[i] * dt);
+      h[i] = state_.configuration.thickness[i] + state_.thinning_rate[i] * dt;
     }
-    search_contacts(model_, attempt_.loads, s_);
   }
 
   bool predict() {
     evaluate(model_, state_, attempt_.loads, {.assume_flow = !target_.is_turning}, s_);
-    predict_thinning();
+    predict_thickness();
+    search_contacts(model_, attempt_.loads, s_);
     evaluate_contacts(model_, state_, attempt_.loads, false, s_);
     if (!factorise_or_fail()) return false;
     attempt_.negative_pivots = s_.last_factorisation.negative_pivots;
@@ -121,6 +127,7 @@ class Corrector {
                         whole.use_volume ? start_pressure + r * solution.pressure_change : target_.pressure};
       s_.trial.configuration = state_.configuration;
       move(s_.trial.configuration, r * solution.q);
+      predict_thickness();
       evaluate_trial();
       const double fraction = calc_strain_fraction(model_, s_.trial);
       if (fraction > 0.9 || cut == kLargestCuts) return;
@@ -132,7 +139,8 @@ class Corrector {
   bool is_settled() const { return is_settled_; }
 
   void evaluate_trial() {
-    evaluate(model_, state_, attempt_.loads, {.assume_flow = false, .freeze_thickness = is_settled()}, s_);
+    evaluate(model_, state_, attempt_.loads,
+             {.assume_flow = false, .freeze_thickness = is_settled() || can_predict_thickness()}, s_);
     evaluate_contacts(model_, state_, attempt_.loads, is_settled(), s_);
     attempt_.residual = calc_imbalance(model_, attempt_.loads, s_).residual;
   }

@@ -7,11 +7,12 @@ namespace hydroscope {
 
 /// What an increment is to reach.
 struct Target {
-  double time = 0.0;        ///< process time at its end [s]
-  bool use_volume = false;  ///< the enclosed volume is prescribed, the pressure follows
-  double pressure = 0.0;    ///< [MPa] at the end (pressure control) or first guess
-  double volume = 0.0;      ///< [mm^3] at the end (volume control)
-  bool is_turning = false;  ///< a path has just had a corner: points need not flow on
+  double time = 0.0;               ///< process time at its end [s]
+  bool use_volume = false;         ///< the enclosed volume is prescribed, the pressure follows
+  double pressure = 0.0;           ///< [MPa] at the end (pressure control) or first guess
+  double volume = 0.0;             ///< [mm^3] at the end (volume control)
+  bool predicts_thickness = true;  ///< the wall's thickness is foretold and stands still; else it is iterated
+  bool is_turning = false;         ///< a path has just had a corner: points need not flow on
 };
 
 /// Outcome of one try at an increment; the trial in `scratch` holds its end.

@@ -156,4 +156,8 @@ void judge(const Model& model, const Scratch& s, State& state, IncrementReport& 
   }
 }
 
+bool has_necked(const State& state) {
+  return state.has_warned.size() > kNecking && state.has_warned[kNecking] != 0;
+}
+
 }  // namespace hydroscope

@@ -18,4 +18,7 @@ double evaluate_quantity(const Model& model, const State& state, const Quantity&
 /// pivots than a pressure maximum explains. A wall that sticks to a tool is not judged.
 void judge(const Model& model, const Scratch& scratch, State& state, IncrementReport& report);
 
+/// Has the run been marked as necking?
+bool has_necked(const State& state);
+
 }  // namespace hydroscope

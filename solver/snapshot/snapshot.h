@@ -19,7 +19,7 @@ struct SnapshotModel {
   std::string title;
   std::vector<std::array<int, 4>> quads;
   /// Mirror planes in the order in which they double the part: applying all of
-  /// them one after the other gives the whole part.
+  /// them one after the other gives the whole part. Normals point out of the modelled part.
   std::vector<Plane> mirrors;
   struct Tool {
     std::string name;
