@@ -10,7 +10,11 @@
 namespace hydroscope {
 namespace {
 
-constexpr double kMargin = 1.12;  // around the part, leaves room for title and legend
+// Of the picture's width and height, what the part may take: the title stands
+// above it and the legend to its right.
+constexpr double kWidth = 0.80, kHeight = 0.84;
+// By how much of them the part's middle lies left of and below the picture's.
+constexpr double kLeft = 0.075, kBelow = 0.04;
 
 Vec3 calc_direction(double azimuth, double elevation) {
   const double a = azimuth * std::numbers::pi / 180.0, e = elevation * std::numbers::pi / 180.0;
@@ -22,7 +26,7 @@ double calc_scale(const Bounds& bounds, const Vec3& direction, const Vec3& up, d
   const Vec3 right = up.cross(direction).normalized(), upright = direction.cross(right);
   const Vec3 half = 0.5 * (bounds.greatest - bounds.least);
   const double width = right.cwiseAbs().dot(half), height = upright.cwiseAbs().dot(half);
-  return kMargin * std::max(height, width / aspect);
+  return std::max(height / kHeight, width / (kWidth * aspect));
 }
 
 }  // namespace
@@ -43,7 +47,9 @@ CameraPose calc_camera(const FrameOptions& options, const Bounds& bounds, const 
                             calc_scale(bounds, calc_direction(degrees, options.elevation), pose.up, aspect));
   pose.scale /= options.zoom;
   if (!(pose.scale > 0.0)) pose.scale = 1.0;
-  pose.focal = look_at.value_or(bounds.centre());
+  const Vec3 right = pose.up.cross(direction).normalized(), upright = direction.cross(right);
+  const double unit = 2.0 * pose.scale;
+  pose.focal = look_at.value_or(bounds.centre() + unit * (aspect * kLeft * right + kBelow * upright));
   pose.position = pose.focal + 4.0 * std::max(bounds.diagonal(), pose.scale) * direction;
   return pose;
 }

@@ -7,7 +7,7 @@ namespace hydroscope {
 
 /// The camera of frame `index` of `expected` frames. Looks at the middle of
 /// `bounds` from a direction, with a scale that holds the box from every
-/// direction of an orbit. `look_at` = the place of the followed node.
+/// direction of an orbit and leaves room for title and legend. `look_at` = the place of the followed node.
 CameraPose calc_camera(const FrameOptions& options, const Bounds& bounds, const std::optional<Vec3>& look_at,
                        int index, int expected);
 

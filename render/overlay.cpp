@@ -150,4 +150,22 @@ void draw_overlay(Image& image, const Legend& legend, const std::string& title, 
   draw_axes(layout, camera);
 }
 
+double calc_report_height(int lines) { return lines == 0 ? 0.0 : (lines * 19.0 + 34.0) / 720.0; }
+
+void draw_report(Image& image, const std::vector<std::string>& lines, const Theme& theme) {
+  if (lines.empty()) return;
+  Layout layout(image, theme);
+  const Canvas::TextStyle style{.size = layout.px(14), .colour = theme.text, .is_mono = true};
+  int widest = 0;
+  for (const std::string& line : lines) widest = std::max(widest, Canvas::text_size(line, style)[0]);
+  const int line_height = layout.px(19), pad = layout.px(10);
+  const int width = widest + 2 * pad,
+            height = static_cast<int>(lines.size()) * line_height + 2 * pad - layout.px(3);
+  const int left = layout.px(130), top = layout.height - layout.px(14) - height;
+  layout.canvas.fill(left, top, width, height, theme.panel, 0.82);
+  layout.canvas.frame(left, top, width, height, theme.panel_frame);
+  for (std::size_t i = 0; i < lines.size(); ++i)
+    layout.canvas.text(left + pad, top + pad + static_cast<int>(i) * line_height, lines[i], style);
+}
+
 }  // namespace hydroscope

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "render/draw_list.h"
 #include "render/image/image.h"
@@ -11,5 +12,10 @@ namespace hydroscope {
 /// Title, time label, legends, colour bars and the axes, over a drawn picture.
 void draw_overlay(Image& image, const Legend& legend, const std::string& title, const std::string& time_label,
                   const CameraPose& camera, const Theme& theme);
+
+/// Lines of a report in a panel along the lower edge, in columns as given.
+void draw_report(Image& image, const std::vector<std::string>& lines, const Theme& theme);
+/// The share of the picture's height that it takes.
+double calc_report_height(int lines);
 
 }  // namespace hydroscope

@@ -22,7 +22,7 @@ namespace {
 
 constexpr Rgb kHighlight{213, 94, 0};
 constexpr Rgb kNormal{0, 114, 178};
-constexpr int kMostArrows = 1200;
+constexpr int kMostArrows = 600;
 
 /// The highlighted facets alone, or all but them.
 Surface calc_selected(const Surface& all, const std::vector<bool>& is_highlighted, bool wanted) {
@@ -34,21 +34,23 @@ Surface calc_selected(const Surface& all, const std::vector<bool>& is_highlighte
   return selected;
 }
 
-/// The azimuth, of four around the wished one, from which most of the working side is seen.
-double find_azimuth(const ToolShape& shape, const ToolPictureOptions& options) {
-  double best = options.azimuth, most = -1.0;
-  for (double turn : {0.0, 90.0, 180.0, 270.0}) {
-    const double a = (options.azimuth + turn) * std::numbers::pi / 180.0;
-    const double e = options.elevation * std::numbers::pi / 180.0;
-    const Vec3 direction(std::cos(a) * std::cos(e), std::sin(e), std::sin(a) * std::cos(e));
-    double seen = 0.0;
-    for (std::size_t f = 0; f < shape.facet_normals().size(); ++f)
-      seen += std::max(0.0, shape.calc_facet_area(f) * shape.facet_normals()[f].dot(direction));
-    if (seen > most * (1.0 + 1e-6)) {
+/// The direction, of eight around the wished one and from below, from which most
+/// of the working side is seen.
+std::array<double, 2> find_direction(const ToolShape& shape, const ToolPictureOptions& options) {
+  std::array<double, 2> best{options.azimuth, options.elevation};
+  double most = -1.0;
+  for (double elevation : {options.elevation, -options.elevation})
+    for (double turn : {0.0, 90.0, 180.0, 270.0}) {
+      const double a = (options.azimuth + turn) * std::numbers::pi / 180.0;
+      const double e = elevation * std::numbers::pi / 180.0;
+      const Vec3 direction(std::cos(a) * std::cos(e), std::sin(e), std::sin(a) * std::cos(e));
+      double seen = 0.0;
+      for (std::size_t f = 0; f < shape.facet_normals().size(); ++f)
+        seen += std::max(0.0, shape.calc_facet_area(f) * shape.facet_normals()[f].dot(direction));
+      if (seen <= most * 1.05) continue;  // only a clear gain is worth another side
       most = seen;
-      best = options.azimuth + turn;
+      best = {options.azimuth + turn, elevation};
     }
-  }
   return best;
 }
 
@@ -104,16 +106,24 @@ void render_tool_picture(const TriangleMesh& mesh, const std::vector<Vec3>& norm
   require(!mesh.points.empty(), "a tool has points");
   FrameOptions view;
   view.size = options.size;
-  view.azimuth = find_azimuth(shape, options);
-  view.elevation = options.elevation;
-  const CameraPose camera = calc_camera(view, bounds, std::nullopt, 0, 1);
+  const std::array<double, 2> direction = find_direction(shape, options);
+  view.azimuth = direction[0];
+  view.elevation = direction[1];
+  CameraPose camera = calc_camera(view, bounds, std::nullopt, 0, 1);
+  // The picture moves up and shrinks by what the report takes below it.
+  const double report = calc_report_height(static_cast<int>(options.notes.size()));
+  require(report < 0.8, "a tool picture's notes leave room for the tool");
+  camera.scale /= 1.0 - report;
+  const Vec3 shift = -report * camera.scale * camera.up;
+  camera.focal += shift;
+  camera.position += shift;
   DrawList list = make_tool_list(shape, highlighted_facets, bounds, colours);
-  list.legend.notes = options.notes;
   Stage stage({.width = options.size[0], .height = options.size[1]});
   Image image = stage.draw(list, camera, colours);
   const std::string counts =
       std::to_string(mesh.triangles.size()) + " facets, " + std::to_string(mesh.points.size()) + " points";
   draw_overlay(image, list.legend, title, counts, camera, colours);
+  draw_report(image, options.notes, colours);
   write_png(file, image,
             {{"Renderer", stage.info().renderer}, {"Software", "Hydroscope " HYDROSCOPE_VERSION}});
 }

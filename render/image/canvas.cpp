@@ -22,10 +22,12 @@ namespace {
 // Debian's VTK carries URW Gothic alone, whose brackets and figures are hard to
 // read; DejaVu comes with fontconfig and so with VTK itself.
 constexpr const char* kFont = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf";
+constexpr const char* kMonoFont = "/usr/share/fonts/truetype/dejavu/DejaVuSansMono.ttf";
 constexpr const char* kBoldFont = "/usr/share/fonts/truetype/dejavu/DejaVuSans-Bold.ttf";
 
 bool has_fonts() {
-  static const bool has = std::filesystem::exists(kFont) && std::filesystem::exists(kBoldFont);
+  static const bool has = std::filesystem::exists(kFont) && std::filesystem::exists(kBoldFont) &&
+                          std::filesystem::exists(kMonoFont);
   return has;
 }
 
@@ -35,17 +37,18 @@ struct Lettering {
   std::vector<std::uint8_t> coverage;
 };
 
-Lettering draw_letters(const std::string& words, int size, bool is_bold) {
+Lettering draw_letters(const std::string& words, const Canvas::TextStyle& style) {
   vtkTextRenderer* renderer = vtkTextRenderer::GetInstance();
   if (renderer == nullptr) throw EnvironmentError("VTK has no text renderer (vtkRenderingFreeType)");
   const vtkNew<vtkTextProperty> property;
-  property->SetFontFamilyToArial();
+  if (style.is_mono) property->SetFontFamilyToCourier();
+  if (!style.is_mono) property->SetFontFamilyToArial();
   if (has_fonts()) {
     property->SetFontFamily(VTK_FONT_FILE);
-    property->SetFontFile(is_bold ? kBoldFont : kFont);
+    property->SetFontFile(style.is_mono ? kMonoFont : style.is_bold ? kBoldFont : kFont);
   }
-  property->SetFontSize(size);
-  property->SetBold(is_bold && !has_fonts());
+  property->SetFontSize(style.size);
+  property->SetBold(style.is_bold && !has_fonts());
   property->SetColor(1.0, 1.0, 1.0);
   const vtkNew<vtkImageData> image;
   int used[2] = {0, 0};
@@ -60,16 +63,16 @@ Lettering draw_letters(const std::string& words, int size, bool is_bold) {
 }
 
 /// The most recent ones are kept: most words stay the same from frame to frame.
-const Lettering& find_letters(const std::string& words, int size, bool is_bold) {
-  thread_local std::map<std::tuple<std::string, int, bool>, Lettering> known;
+const Lettering& find_letters(const std::string& words, const Canvas::TextStyle& style) {
+  thread_local std::map<std::tuple<std::string, int, bool, bool>, Lettering> known;
   // FreeType's face cache is one for the process.
   static std::mutex mutex;
-  const auto key = std::make_tuple(words, size, is_bold);
+  const auto key = std::make_tuple(words, style.size, style.is_bold, style.is_mono);
   const auto found = known.find(key);
   if (found != known.end()) return found->second;
   if (known.size() > 500) known.clear();
   const std::lock_guard lock(mutex);
-  return known.emplace(key, draw_letters(words, size, is_bold)).first->second;
+  return known.emplace(key, draw_letters(words, style)).first->second;
 }
 
 }  // namespace
@@ -98,7 +101,7 @@ void Canvas::frame(int x, int y, int width, int height, Rgb colour) {
 
 void Canvas::text(int x, int y, const std::string& words, const TextStyle& style) {
   if (words.empty()) return;
-  const Lettering& letters = find_letters(words, style.size, style.is_bold);
+  const Lettering& letters = find_letters(words, style);
   if (style.align == Align::kCentre) x -= letters.width / 2;
   if (style.align == Align::kRight) x -= letters.width;
   for (int j = 0; j < letters.height; ++j)
@@ -109,7 +112,7 @@ void Canvas::text(int x, int y, const std::string& words, const TextStyle& style
 
 std::array<int, 2> Canvas::text_size(const std::string& words, const TextStyle& style) {
   if (words.empty()) return {0, 0};
-  const Lettering& letters = find_letters(words, style.size, style.is_bold);
+  const Lettering& letters = find_letters(words, style);
   return {letters.width, letters.height};
 }
 

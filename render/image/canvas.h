@@ -21,6 +21,7 @@ class Canvas {
     int size = 16;  ///< [px] of the letters' em
     Rgb colour{0, 0, 0};
     bool is_bold = false;
+    bool is_mono = false;  ///< letters of one width, for columns
     Align align = Align::kLeft;
   };
 

@@ -20,17 +20,17 @@ std::vector<Reflection> calc_reflections(const std::vector<Plane>& mirrors) {
   return all;
 }
 
-std::vector<Plane> find_open_mirrors(const std::vector<Plane>& mirrors, const std::vector<Vec3>& points,
-                                     double tolerance) {
+std::vector<Plane> find_open_mirrors(const std::vector<Plane>& mirrors, const std::vector<Vec3>& points) {
   std::vector<Plane> open;
   for (const Plane& plane : mirrors) {
-    double lowest = 0.0, highest = 0.0;
+    double below = 0.0, above = 0.0;
     for (const Vec3& x : points) {
       const double s = plane.normal.dot(x - plane.point);
-      lowest = std::min(lowest, s);
-      highest = std::max(highest, s);
+      below = std::max(below, -s);
+      above = std::max(above, s);
     }
-    if (lowest > -tolerance || highest < tolerance) open.push_back(plane);
+    if (std::min(below, above) > 0.5 * std::max(below, above)) continue;
+    open.push_back({plane.point, below >= above ? plane.normal : Vec3(-plane.normal)});
   }
   return open;
 }

@@ -23,9 +23,9 @@ struct Reflection {
 /// before it have made. The first one is the identity.
 std::vector<Reflection> calc_reflections(const std::vector<Plane>& mirrors);
 
-/// Those mirrors that do not cut through the points: a tool that reaches over
-/// a plane by more than `tolerance` [mm] is there as a whole already.
-std::vector<Plane> find_open_mirrors(const std::vector<Plane>& mirrors, const std::vector<Vec3>& points,
-                                     double tolerance);
+/// Those mirrors about which the points lie on one side, each turned so that its
+/// normal points away from them. A tool may reach over a plane of symmetry by a margin; one that
+/// reaches over it by more than half as far as to the other side is there as a whole already.
+std::vector<Plane> find_open_mirrors(const std::vector<Plane>& mirrors, const std::vector<Vec3>& points);
 
 }  // namespace hydroscope

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <utility>
 
+#include "render/shape/clip_mesh.h"
 #include "render/shape/sheet_shape.h"
 #include "solver/base/error.h"
 
@@ -36,7 +37,8 @@ ToolShape::ToolShape(const SnapshotModel::Tool& tool, const std::vector<Plane>& 
       if (point < 0 || at(point) >= mesh_.points.size())
         throw ContractError("tool '" + tool.name + "': a facet names a point that is not there");
   const double size = mesh_.points.empty() ? 0.0 : calc_mesh_bounds(mesh_).diagonal();
-  const std::vector<Plane> open_mirrors = find_open_mirrors(mirrors, mesh_.points, 1e-4 * size);
+  const std::vector<Plane> open_mirrors = find_open_mirrors(mirrors, mesh_.points);
+  for (const Plane& plane : open_mirrors) clip_mesh(mesh_, normals_, plane, 1e-4 * size);
   reflections_ = calc_reflections(open_mirrors);
   for (const auto& facet : mesh_.triangles) {
     const Vec3& x0 = mesh_.points[at(facet[0])];

@@ -11,7 +11,8 @@ namespace hydroscope {
 /// The drawn form of one tool: what does not depend on where it has moved to.
 class ToolShape {
  public:
-  /// `mirrors`: of the part; those which the tool reaches over are left out.
+  /// `mirrors`: of the part; those about which the tool is whole are left out, and
+  /// what reaches over the others is cut off (see find_open_mirrors).
   /// Throws ContractError when normals are missing or an index is wrong.
   ToolShape(const SnapshotModel::Tool& tool, const std::vector<Plane>& mirrors);
 

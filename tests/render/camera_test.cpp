@@ -59,7 +59,8 @@ TEST(Camera, AnOrbitTurnsEvenlyKeepsItsScaleAndHoldsTheBox) {
     const CameraPose camera = calc_camera(options, make_box(), std::nullopt, i, 8);
     EXPECT_EQ(camera.scale, scale);
     EXPECT_TRUE(holds(camera, make_box(), 1280.0 / 720.0));
-    const double angle = std::atan2(camera.position.z(), camera.position.x()) * 180.0 / std::numbers::pi;
+    const Vec3 direction = camera.position - camera.focal;
+    const double angle = std::atan2(direction.z(), direction.x()) * 180.0 / std::numbers::pi;
     EXPECT_NEAR(std::remainder(angle - 35.0 - 45.0 * i, 360.0), 0.0, 1e-9);
   }
 }

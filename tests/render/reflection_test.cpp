@@ -53,12 +53,16 @@ TEST(Reflection, PolygonsOfAMirrorImageStillTurnCounterClockwise) {
   EXPECT_EQ(whole.polygons[3][3], -1);
 }
 
-TEST(Reflection, AToolThatReachesOverAPlaneIsNotDoubledThere) {
-  const std::vector<Vec3> half{Vec3(0, -1, 0), Vec3(2, 1, 0)};
-  EXPECT_EQ(find_open_mirrors({kX}, half, 1e-6).size(), 1u);
-  EXPECT_EQ(find_open_mirrors({kX, {Vec3::Zero(), Vec3::UnitY()}}, half, 1e-6).size(), 1u);
-  // Less than the tolerance beyond the plane is rounding, not reach.
-  EXPECT_EQ(find_open_mirrors({kX}, {Vec3(-1e-9, 0, 0), Vec3(2, 0, 0)}, 1e-6).size(), 1u);
+TEST(Reflection, AToolThatIsWholeAboutAPlaneIsNotDoubledThere) {
+  const Plane y{Vec3::Zero(), Vec3::UnitY()};
+  EXPECT_EQ(find_open_mirrors({kX, y}, {Vec3(0, -1, 0), Vec3(2, 1, 0)}).size(), 1u);
+  // A margin beyond the plane is no other half.
+  EXPECT_EQ(find_open_mirrors({kX}, {Vec3(-5.6, 0, 0), Vec3(36, 0, 0)}).size(), 1u);
+}
+
+TEST(Reflection, OpenMirrorsPointAwayFromTheTool) {
+  EXPECT_EQ(find_open_mirrors({kX}, {Vec3(0, 0, 0), Vec3(2, 0, 0)})[0].normal, Vec3(-1, 0, 0));
+  EXPECT_EQ(find_open_mirrors({kX}, {Vec3(0, 0, 0), Vec3(-2, 0, 0)})[0].normal, Vec3(1, 0, 0));
 }
 
 }  // namespace

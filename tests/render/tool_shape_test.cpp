@@ -67,11 +67,29 @@ TEST(ToolShape, IsDrawnWhereItHasMovedTo) {
   const Surface moved = ToolShape(make_fold(20.0), {}).make_surface(Vec3(1, 2, 3));
   EXPECT_TRUE(moved.points[0].isApprox(Vec3f(1, 2, 3)));
   // The mirror image of a moved tool moves the other way.
-  SnapshotModel::Tool quarter = make_fold(20.0);
+  const SnapshotModel::Tool quarter = make_fold(20.0);
   const ToolShape mirrored(quarter, {{Vec3::Zero(), Vec3::UnitZ()}});
   const Surface both = mirrored.make_surface(Vec3(0, 0, -3));
   EXPECT_FLOAT_EQ(both.points[0].z(), -3.0f);
   EXPECT_FLOAT_EQ(both.points[6].z(), 3.0f);
+}
+
+TEST(ToolShape, WhatReachesOverAMirrorIsCutOff) {
+  SnapshotModel::Tool plate;
+  plate.name = "plate";
+  plate.mesh.points = {Vec3(-1, 0, 0), Vec3(9, 0, 0), Vec3(9, 6, 0), Vec3(-1, 6, 0)};
+  plate.mesh.triangles = {{0, 1, 2}, {0, 2, 3}};
+  plate.normals.assign(4, Vec3::UnitZ());
+  const ToolShape shape(plate, {{Vec3::Zero(), Vec3::UnitX()}});
+  double area = 0.0;
+  for (std::size_t f = 0; f < shape.mesh().triangles.size(); ++f) {
+    area += shape.calc_facet_area(f);
+    EXPECT_NEAR(shape.facet_normals()[f].z(), 1.0, 1e-12) << "facets keep their side";
+  }
+  EXPECT_NEAR(area, 54.0, 1e-12);
+  for (const Vec3& x : shape.mesh().points) EXPECT_GE(x.x(), -1e-12);
+  EXPECT_EQ(shape.reflections().size(), 2u);
+  EXPECT_EQ(shape.make_edges(Vec3::Zero()).lines.size(), 2u * 3u) << "the cut is a seam";
 }
 
 TEST(ToolShape, AWholeDieIsNotDoubled) {
