@@ -11,29 +11,9 @@
 
 #include "render/frame_options.h"
 #include "render/shape/tool_shape.h"
+#include "render/view_range.h"
 
 namespace hydroscope {
-
-/// Names of all views, for help and checks.
-const std::vector<std::string>& view_names();
-
-/// Modelled nodes (not their mirror images) by class.
-struct ClassCounts {
-  std::array<int, kContactClasses> nodes{};
-};
-ClassCounts count_classes(const Snapshot& snapshot);
-
-/// The ranges a view needs ("slip" needs "slip" and "slip-increment"); none for class views.
-std::vector<std::string> range_names(const std::string& view);
-
-/// Smallest and largest value over one snapshot (NaN left out); low > high if there is none.
-Range calc_range(const std::string& name, const Snapshot& snapshot);
-
-/// Nodes where a scalar view's field is not a number.
-int count_without_value(const std::string& view, const Snapshot& snapshot);
-
-/// Widened to round numbers, never empty; what a legend shows.
-Range calc_round_range(const Range& range);
 
 /// What one sequence draws: a tool whose translation is not a number has been
 /// taken away and is not drawn. Turns snapshots into draw lists. Knows no GL.
