@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
 #include "model_texts.h"
 
@@ -56,6 +57,33 @@ TEST(ElasticTube, RadialDisplacementConvergesToTheClosedForm) {
   EXPECT_NEAR((coarse - medium) / (medium - fine), 4.0, 0.02);   // second order
   EXPECT_NEAR(fine + (fine - medium) / 3, exact, 1e-6 * exact);  // Richardson: fourth order left
   EXPECT_NEAR(fine, thin, 5e-4 * thin);
+}
+
+/// Volume control in one linear solve: the volume lacking is swept exactly, by the pressure that the
+/// closed form says, dV / dp = (2 pi r L / 4) (u_r / p).
+TEST(ElasticTube, VolumeControlFindsThePressure) {
+  const Model model = test::make_model(make_slice(48, 1.0));
+  const State state = make_initial_state(model);
+  Scratch scratch(model, 1);
+  const Loads loads{};
+  start_trial(state, scratch);
+  evaluate(model, state, loads, {}, scratch);
+  evaluate_contacts(model, state, loads, false, scratch);
+  assemble_matrix(model, scratch);
+  ASSERT_TRUE(factorise(model, scratch).is_usable);
+  constexpr double kVolumeGap = 0.3;
+  const Solution solution = solve(model, loads, true, kVolumeGap, scratch);
+  EXPECT_NEAR(scratch.trial.pressure_load.dot(solution.q), kVolumeGap, 1e-12);
+  const double compliance =
+      0.5 * std::numbers::pi * kRadius * model.slice_width * kRadius * kRadius / (kPlaneModulus * kWall);
+  EXPECT_NEAR(solution.compliance, compliance, 1e-3 * compliance);  // wall 2e-4, polygon 4e-4 (see above)
+  EXPECT_NEAR(solution.pressure_change, kVolumeGap / compliance, 1e-3 * kVolumeGap / compliance);
+  // The volume really swept, second order in u / r = 4e-5 apart.
+  move(scratch.trial.configuration, solution.q);
+  EXPECT_NEAR(calc_volume(model, state, scratch) - state.volume, kVolumeGap, 1e-3 * kVolumeGap);
+  // pi r^2 L / 4 but for the polygon, 1 - sin(a) / a with a = 1.9 degrees.
+  EXPECT_NEAR(state.volume, 0.25 * std::numbers::pi * kRadius * kRadius * model.slice_width,
+              3e-4 * state.volume);
 }
 
 /// Negative pivots at a pressure reached on the perfect ring's own path, in two increments so that the
