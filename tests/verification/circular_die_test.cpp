@@ -34,16 +34,17 @@ History* CircularDie::history_ = nullptr;
 TEST_F(CircularDie, TouchesAtTheRingsPressure) {
   ASSERT_EQ(history_->summary.outcome, Outcome::kCompleted) << history_->summary.message;
   EXPECT_LT(relative_error(calc_touch_pressure(), 16.9631), 2e-5);
-  for (const IncrementReport& row : history_->rows) {
-    if (row.events.empty()) continue;
-    EXPECT_EQ(row.events.size(), history_->rows.size() > 0 ? row.events.size() : 0u);
-    for (const ContactEvent& event : row.events) EXPECT_EQ(event.kind, EventKind::kTouch);
-    EXPECT_EQ(row.n_contact, static_cast<int>(row.events.size())) << "all at once";
-    EXPECT_LT(relative_error(row.pressure, calc_touch_pressure()), 0.002);
-    RecordProperty("touch_pressure_MPa", std::to_string(row.pressure));
-    return;
-  }
-  FAIL() << "never touched";
+  const auto& rows = history_->rows;
+  const auto p = history_->column("pressure"), f = history_->column("force_N_per_mm");
+  std::size_t first = 0;
+  while (first + 1 < rows.size() && rows[first].n_contact == 0) ++first;
+  ASSERT_LT(first + 1, rows.size()) << "never touched";
+  for (const ContactEvent& event : rows[first].events) EXPECT_EQ(event.kind, EventKind::kTouch);
+  EXPECT_EQ(rows[first].events.size(), 92u) << "all at once";
+  // The increment of touching ends a little beyond it: the die's force, drawn back to zero, says where.
+  const double touch = p[first] - f[first] * (p[first + 1] - p[first]) / (f[first + 1] - f[first]);
+  EXPECT_LT(relative_error(touch, calc_touch_pressure()), 0.002);
+  RecordProperty("touch_pressure_MPa", std::to_string(touch));
 }
 
 TEST_F(CircularDie, DieTakesThePressureBeyondTouch) {
@@ -85,7 +86,7 @@ TEST_F(CircularDie, AllNodesLetGoTogetherAndOnce) {
     pressure_before = row.pressure;
   }
   EXPECT_EQ(increments_with_release, 1);
-  EXPECT_EQ(releases.size(), 46u);
+  EXPECT_EQ(releases.size(), 92u);  // two rows of 46 nodes
   for (const auto& [node, count] : touches) EXPECT_EQ(count, 1) << "node " << node;
   for (const auto& [node, count] : releases) EXPECT_EQ(count, 1) << "node " << node;
 }

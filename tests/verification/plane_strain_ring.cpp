@@ -21,10 +21,9 @@ WallState calc_rates(const Metal& m, const WallState& s) {
                                 s.axial_stress * s.axial_stress);
   WallState rate;
   rate.hoop_strain = 1.0;
-  double n1 = 0.0, n2 = 0.0;
   // The table starts at first yield, so that the wall is plastic in every state asked for here.
-  n1 = (s.hoop_stress - 0.5 * s.axial_stress) / sbar;
-  n2 = (s.axial_stress - 0.5 * s.hoop_stress) / sbar;
+  const double n1 = (s.hoop_stress - 0.5 * s.axial_stress) / sbar;
+  const double n2 = (s.axial_stress - 0.5 * s.hoop_stress) / sbar;
   const double slope = m.k * m.n * std::pow(m.eps0 + s.plastic_strain, m.n - 1.0);
   const double cn1 = c * (n1 + m.poisson * n2), cn2 = c * (m.poisson * n1 + n2);
   rate.plastic_strain = cn1 / (slope + n1 * cn1 + n2 * cn2);
