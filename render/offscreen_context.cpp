@@ -156,7 +156,6 @@ class CurrentContext {
 
  private:
   OSMesaContext context_ = nullptr;
-  OSMesaContext previous_ = nullptr;
   std::vector<unsigned char> buffer_ = std::vector<unsigned char>(4 * kBufferSize * kBufferSize);
 };
 

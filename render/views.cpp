@@ -114,6 +114,13 @@ void Views::update_tools(const Snapshot& snapshot, const Plane& cut) {
   }
 }
 
+std::vector<std::reference_wrapper<const Views::ToolState>> Views::present_tools() const {
+  std::vector<std::reference_wrapper<const ToolState>> present;
+  for (const ToolState& tool : tools_)
+    if (tool.is_there) present.push_back(tool);
+  return present;
+}
+
 void Views::add_wall(DrawList& list, const Snapshot& snapshot, const std::optional<NodePaint>& paint) const {
   // A closed solid: its polygons are seen from outside or not at all.
   list.surfaces.push_back({.surface = share(sheet_.make_wall(snapshot, paint)),

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <functional>
 #include <limits>
 #include <map>
 #include <memory>
-#include <ranges>
 #include <string>
 #include <utility>
 #include <vector>
@@ -41,9 +41,7 @@ class Views {
     std::vector<int> arrow_nodes, arrow_facets;
   };
 
-  auto present_tools() const {
-    return tools_ | std::views::filter([](const ToolState& tool) { return tool.is_there; });
-  }
+  std::vector<std::reference_wrapper<const ToolState>> present_tools() const;
   void update_tools(const Snapshot& snapshot, const Plane& cut);
   void make_normal_arrows(ToolState& tool, const Plane& cut) const;
   void add_wall(DrawList& list, const Snapshot& snapshot, const std::optional<NodePaint>& paint) const;
