@@ -142,7 +142,10 @@ IncrementReport advance(const Model& model, State& state, Scratch& scratch) {
       return report;
     }
     dt = 0.35 * std::min(dt, attempt.limit.fraction < 1.0 ? attempt.limit.fraction * tried : tried);
-    const bool is_final = attempt.end == Attempt::End::kUnstable || attempt.end == Attempt::End::kSingular;
+    // The predictor's matrix is that of the pressure aimed at: only close by does it speak for the state.
+    const bool is_near = std::abs(target.pressure - state.pressure) <= 0.005 * std::abs(state.pressure);
+    const bool is_final =
+        (attempt.end == Attempt::End::kUnstable && is_near) || attempt.end == Attempt::End::kSingular;
     if (is_final || dt < floor) {
       report.factorisations = scratch.factorisations - factorisations_before;
       report_failure(model, state, attempt, scratch, report);

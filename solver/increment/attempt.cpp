@@ -19,6 +19,7 @@ constexpr double kVolumeTolerance = 1e-8;  // of the enclosed volume
 // what they still lack is of the size of the last correction, and is made up in the next increment.
 constexpr int kSettlingPasses = 2;
 constexpr double kSettledResidual = 0.1;
+constexpr int kThicknessPasses = 4;
 constexpr int kLargestCuts = 3;      // of one correction
 constexpr double kDivergence = 1e4;  // growth of the residual at which an increment is given up
 
@@ -178,8 +179,29 @@ class Corrector {
         std::abs(volume_gap_) > kVolumeTolerance * std::abs(state_.volume)) {
       return false;
     }
+    if (thickness_passes_ < kThicknessPasses && !is_thickness_right()) {
+      ++thickness_passes_;
+      evaluate_trial();
+      return false;
+    }
     attempt_.volume = target_.use_volume ? target_.volume : calc_volume(model_, state_, s_);
     attempt_.end = Attempt::End::kConverged;
+    return true;
+  }
+
+  /// Renews the thickness that stood still, and tells whether contact points were right with the old
+  /// one. A node that has touched in this increment is judged strictly: the rate that foretold it has
+  /// ended, and a wall pushed too far yields for good.
+  bool is_thickness_right() {
+    const std::vector<double> before = s_.trial.configuration.thickness;
+    update_thickness(model_, s_.trial);
+    for (std::size_t t = 0; t < model_.tools.size(); ++t) {
+      for (std::size_t i = 0; i < before.size(); ++i) {
+        if (!s_.trial.contacts[t][i].is_active()) continue;
+        const double allowed = (state_.contacts[t][i].is_active() ? 0.5 : 0.05) * model_.touch_tolerance();
+        if (0.5 * std::abs(s_.trial.configuration.thickness[i] - before[i]) > allowed) return false;
+      }
+    }
     return true;
   }
 
@@ -197,6 +219,7 @@ class Corrector {
   Attempt attempt_;
   Solution correction_;
   double volume_gap_ = 0.0;
+  int thickness_passes_ = 0;
   bool is_settled_ = false;  ///< thickness and friction bounds stand still from here on
   bool is_closing_ = false;  ///< the contact set has changed, or gaps are still open
 };

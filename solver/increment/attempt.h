@@ -24,7 +24,7 @@ struct Attempt {
   StepLimit limit;      ///< of the predictor
   double residual = 0.0;
   int iterations = 0;
-  int negative_pivots = 0;  ///< of the predictor's matrix: the last state's
+  int negative_pivots = 0;  ///< of the predictor's matrix: the last state's, under the pressure aimed at
   double compliance = 0.0;  ///< g . K^-1 g of the predictor when it was unstable
 };
 
