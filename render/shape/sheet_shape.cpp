@@ -130,32 +130,51 @@ SheetShape::SheetShape(const Snapshot& first, bool is_mirrored) : quads_(first.m
   if (is_mirrored) mirrors_ = first.model->mirrors;
   reflections_ = calc_reflections(mirrors_);
   const double tolerance = 1e-6 * calc_bounds(first, {Reflection{}}).diagonal();
-  std::vector<std::vector<bool>> is_on_mirror;
   for (const Plane& plane : mirrors_) {
     mirror_nodes_.emplace_back();
-    is_on_mirror.emplace_back(first.points.size(), false);
     for (std::size_t node = 0; node < first.points.size(); ++node) {
       if (std::abs(plane.normal.dot(first.points[node] - plane.point)) > tolerance) continue;
       mirror_nodes_.back().push_back(static_cast<int>(node));
-      is_on_mirror.back()[node] = true;
     }
   }
-  // A rim edge belongs to one quad and to no mirror plane. Ordered by node, so
-  // that the drawing does not depend on a hash.
+  find_edges(first, tolerance);
+}
+
+void SheetShape::find_edges(const Snapshot& first, double tolerance) {
+  // Ordered by node, so that the drawing does not depend on a hash.
   std::map<std::pair<int, int>, std::pair<Edge, int>> owners;
   for (const auto& quad : quads_)
     for (std::size_t k = 0; k < 4; ++k) {
       const Edge edge{quad[k], quad[(k + 1) % 4]};
       ++owners.try_emplace(std::minmax(edge.a, edge.b), edge, 0).first->second.second;
     }
+  // An edge of one quad is on the rim unless another copy continues there. Told
+  // by its middle: a sector's copies meet at some of its mirror planes, not at all.
+  struct Middle {
+    Vec3 x;
+    std::size_t copy;
+    Edge edge;
+  };
+  std::vector<Middle> middles;
   for (const auto& [nodes, owner] : owners) {
     const Edge edge = owner.first;
     edges_.push_back(edge);
-    const bool is_inside = std::any_of(is_on_mirror.begin(), is_on_mirror.end(), [&](const auto& is_on) {
-      return is_on[at(edge.a)] && is_on[at(edge.b)];
-    });
-    if (owner.second == 1 && !is_inside) rim_.push_back(edge);
+    if (owner.second != 1) continue;
+    const Vec3 middle = 0.5 * (first.points[at(edge.a)] + first.points[at(edge.b)]);
+    for (std::size_t copy = 0; copy < reflections_.size(); ++copy)
+      middles.push_back({reflections_[copy].point(middle), copy, edge});
   }
+  // Sorted along a skew direction, partners lie close together.
+  const Vec3 skew(0.61, 0.53, 0.59);
+  std::stable_sort(middles.begin(), middles.end(),
+                   [&](const Middle& a, const Middle& b) { return skew.dot(a.x) < skew.dot(b.x); });
+  std::vector<bool> has_partner(middles.size(), false);
+  for (std::size_t i = 0; i < middles.size(); ++i)
+    for (std::size_t j = i + 1; j < middles.size() && skew.dot(middles[j].x - middles[i].x) <= tolerance; ++j)
+      if ((middles[j].x - middles[i].x).norm() <= tolerance) has_partner[i] = has_partner[j] = true;
+  rim_.resize(reflections_.size());
+  for (std::size_t i = 0; i < middles.size(); ++i)
+    if (!has_partner[i]) rim_[middles[i].copy].push_back(middles[i].edge);
 }
 
 std::vector<Vec3> SheetShape::calc_normals(const Snapshot& snapshot) const {
@@ -186,24 +205,32 @@ Surface SheetShape::make_wall(const Snapshot& snapshot, const std::optional<Node
             "one colour a node");
   }
   const std::vector<Vec3> normals = calc_normals(snapshot);
-  WallBuilder builder(snapshot, normals, paint ? &*paint : nullptr);
-  builder.add_face(quads_, 1.0);
-  builder.add_face(quads_, -1.0);
-  for (const Edge& edge : rim_) builder.add_rim_quad(edge.a, edge.b);
-  return calc_reflected(builder.take(), reflections_);
+  const NodePaint* painted = paint ? &*paint : nullptr;
+  WallBuilder faces(snapshot, normals, painted);
+  faces.add_face(quads_, 1.0);
+  faces.add_face(quads_, -1.0);
+  Surface wall = calc_reflected(faces.take(), reflections_);
+  for (std::size_t copy = 0; copy < reflections_.size(); ++copy) {
+    WallBuilder rim(snapshot, normals, painted);
+    for (const Edge& edge : rim_[copy]) rim.add_rim_quad(edge.a, edge.b);
+    append(wall, calc_reflected(rim.take(), {reflections_[copy]}));
+  }
+  return wall;
 }
 
 LineSet SheetShape::make_rim(const Snapshot& snapshot) const {
-  LineSet piece;
-  for (const Edge& edge : rim_)
-    for (double side : {1.0, -1.0}) {
-      const auto face = [&](int node) -> Vec3 {
-        return snapshot.points[at(node)] +
-               0.5 * side * snapshot.thickness[at(node)] * snapshot.directors[at(node)];
-      };
-      piece.add_line(face(edge.a), face(edge.b));
-    }
-  return calc_reflected(piece, reflections_);
+  LineSet rim;
+  for (std::size_t copy = 0; copy < reflections_.size(); ++copy)
+    for (const Edge& edge : rim_[copy])
+      for (double side : {1.0, -1.0}) {
+        const auto face = [&](int node) -> Vec3 {
+          return reflections_[copy].point(snapshot.points[at(node)] + 0.5 * side *
+                                                                          snapshot.thickness[at(node)] *
+                                                                          snapshot.directors[at(node)]);
+        };
+        rim.add_line(face(edge.a), face(edge.b));
+      }
+  return rim;
 }
 
 LineSet SheetShape::make_element_edges(const Snapshot& snapshot) const {

@@ -50,9 +50,11 @@ class SheetShape {
     int a, b;  ///< nodes, in the order of the quad that owns it
   };
 
+  void find_edges(const Snapshot& first, double tolerance);
+
   std::vector<std::array<int, 4>> quads_;
   std::vector<Edge> edges_;
-  std::vector<Edge> rim_;
+  std::vector<std::vector<Edge>> rim_;  ///< of each copy: where no other copy continues
   std::vector<Reflection> reflections_;
   std::vector<Plane> mirrors_;
   std::vector<std::vector<int>> mirror_nodes_;  ///< one list a mirror plane

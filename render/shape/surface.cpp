@@ -8,7 +8,7 @@ namespace {
 
 template <typename T>
 void append_copies(std::vector<T>& all, const std::vector<T>& piece, std::size_t copies) {
-  all.reserve(piece.size() * copies);
+  all.reserve(all.size() + piece.size() * copies);
   for (std::size_t i = 0; i < copies; ++i) all.insert(all.end(), piece.begin(), piece.end());
 }
 
@@ -23,6 +23,15 @@ void append_flipped(std::vector<std::array<int, 4>>& all, const std::array<int, 
 }
 
 }  // namespace
+
+void append(Surface& surface, const Surface& more) {
+  const int offset = static_cast<int>(surface.points.size());
+  append_copies(surface.points, more.points, 1);
+  append_copies(surface.normals, more.normals, 1);
+  append_copies(surface.values, more.values, 1);
+  append_copies(surface.colours, more.colours, 1);
+  for (const auto& polygon : more.polygons) append_flipped(surface.polygons, polygon, offset, false);
+}
 
 Surface calc_reflected(const Surface& piece, const std::vector<Reflection>& reflections) {
   Surface whole;

@@ -41,6 +41,9 @@ struct LineSet {
   }
 };
 
+/// Adds another surface that is painted in the same way.
+void append(Surface& surface, const Surface& more);
+
 /// All copies of one piece.
 Surface calc_reflected(const Surface& piece, const std::vector<Reflection>& reflections);
 LineSet calc_reflected(const LineSet& piece, const std::vector<Reflection>& reflections);

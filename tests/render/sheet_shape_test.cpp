@@ -76,6 +76,17 @@ TEST(SheetShape, NoRimWhereTheMirrorImageContinues) {
   EXPECT_EQ(SheetShape(*s, true).make_rim(*s).lines.size(), 2u * 2u * 5u);
 }
 
+TEST(SheetShape, ASectorWhoseCopiesDoNotCloseIsClosedByItsRim) {
+  // Mirrored about x = 0 and then about x = 2: four copies side by side, from -2 to 6.
+  const auto s = make_two_quads();
+  auto model = std::make_shared<SnapshotModel>(*s->model);
+  model->mirrors.push_back({Vec3(2, 0, 0), Vec3::UnitX()});
+  s->model = model;
+  const SheetShape shape(*s, true);
+  EXPECT_NEAR(calc_volume(shape.make_wall(*s, std::nullopt)), 8.0, 1e-6);
+  EXPECT_EQ(shape.make_rim(*s).lines.size(), 2u * (2u * 8u + 2u));
+}
+
 TEST(SheetShape, EveryNodeOwnsItsQuarterOfAMixedQuad) {
   const auto s = make_two_quads();
   s->contact_state[1] = ContactClass::kSlip;
