@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "app/results/result_folder.h"
+#include "app/results/whole_file.h"
+#include "solver/session/run.h"
+
+namespace hydroscope {
+
+/// What a run was started with, kept beside its results.
+struct RunRecord {
+  std::string scene_file;                           ///< as named by the user
+  std::string scene_text;                           ///< its content
+  std::vector<std::string> overrides;               ///< "key=value", in order
+  std::map<std::string, std::string> tool_reports;  ///< health of each tool's mesh: tools/NAME.txt
+  int threads = 1;
+  double end_time = 0.0;  ///< process time of the whole scene [s]
+};
+
+/// Seconds that the program itself spent, for the summary.
+struct ProgramTimes {
+  double total = 0.0, render = 0.0, write = 0.0;
+};
+
+/// Puts a run on disk while it goes on. history.csv and events.csv grow line by
+/// line, everything else appears whole; summary.json comes last, so that a folder
+/// without it holds an unfinished run. Every function throws EnvironmentError.
+class RunWriter {
+ public:
+  /// Writes scene, model and tools, and the heads of the two tables.
+  RunWriter(ResultFolder folder, const RunRecord& record, const SnapshotModel& model,
+            const std::vector<std::string>& quantity_names);
+
+  void add_increment(const IncrementReport& report);
+  /// A state of an increment that is already there is not written twice.
+  void add_state(const Snapshot& snapshot);
+  void finish(const RunSummary& summary, const ProgramTimes& times);
+
+  const ResultFolder& folder() const { return folder_; }
+  int states() const { return static_cast<int>(state_times_.size()); }
+
+ private:
+  std::string tool_name(int tool) const;
+
+  ResultFolder folder_;
+  RunRecord record_;
+  std::vector<std::string> tool_names_;
+  LineFile history_;
+  LineFile events_;
+  std::vector<double> state_times_;
+  int last_state_increment_ = -1;
+};
+
+/// Most memory that the process ever held [MB].
+double find_peak_memory();
+
+}  // namespace hydroscope
