@@ -73,6 +73,8 @@ void update_contact_history(const Model& model, State& state,
         ++(now.status == ContactStatus::kStick ? report.n_stick : report.n_slip);
       }
       record_change(model, state, t, i, before, now, report);
+      // The tool has stopped the wall: its last rate says nothing about the next increment.
+      if (now.is_active() && !before.is_active()) state.thinning_rate[i] = 0.0;
       if (now.locked > 0) --now.locked;
       if (now.is_releasing && (!now.has_foot || now.foot.gap > 2.0 * model.touch_tolerance()))
         now.is_releasing = false;
