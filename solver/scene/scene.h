@@ -120,7 +120,7 @@ struct ContactScene {      // [contact]
       1.0;  // wall_stiffness: of the outer half of the wall, in 2 E / h per area; 0 = rigid
   double stick_stiffness = 0.1;         // stick_stiffness: E_t = this * E / h per area (4.45)
   double release_tolerance = 0.01;      // release_tolerance: tension against the fluid's share of the node
-  std::string curvature = "symmetric";  // curvature: none | symmetric | full (K_C)
+  std::string curvature = "symmetric";  // curvature: none | symmetric (K_C)
 };
 
 struct IncrementScene {              // [increment]
@@ -132,8 +132,6 @@ struct IncrementScene {              // [increment]
   double max_slide = 1.0;            // max_slide: sliding in tool facets or sheet elements
   double max_penetration = 0.2;      // max_penetration: by which free nodes may overshoot a tool before the
                                      // corrector, of the thickness
-  std::string corrector = "newton";  // none | one_step_behind | algoneq | newton
-  double r_safe = 2.0;               // r_safe: one_step_behind
   double tolerance = 1e-3;           // tolerance: out-of-balance force against the reference force
   int max_iterations = 12;           // max_iterations
 };

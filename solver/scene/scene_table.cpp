@@ -372,7 +372,7 @@ SceneTable make_contact() {
                                      "Pull at which a node is let go, against the fluid's share of the node.")
               .in(0, 1),
           key<&T::curvature>("curvature", "", "How the tangent knows the turning normal, (4.28)-(4.44).")
-              .one_of({"none", "symmetric", "full"}),
+              .one_of({"none", "symmetric"}),
       }};
 }
 
@@ -400,13 +400,6 @@ SceneTable make_increment() {
               "max_penetration", "",
               "How far free nodes may overshoot a tool before the corrector, against the thickness.")
               .in(0, 10),
-          key<&T::corrector>("corrector", "",
-                             "What removes out-of-balance forces: nothing, the next increment (4.25), one "
-                             "more solve (4.27), or solves to a tolerance.")
-              .one_of({"none", "one_step_behind", "algoneq", "newton"}),
-          key<&T::r_safe>("r_safe", "", "R_safe in (4.25).")
-              .in(0.1, 1e3)
-              .when("corrector", {"one_step_behind"}),
           key<&T::tolerance>("tolerance", "",
                              "Out-of-balance force against the reference force at which the corrector stops.")
               .in(1e-12, 1),

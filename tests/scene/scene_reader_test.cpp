@@ -32,7 +32,7 @@ TEST(SceneReader, FillsTheAggregates) {
 TEST(SceneReader, LeavesDefaultsAlone) {
   const Scene scene = read(kTube), fresh;
   EXPECT_EQ(scene.material.poisson, fresh.material.poisson);
-  EXPECT_EQ(scene.increment.corrector, fresh.increment.corrector);
+  EXPECT_EQ(scene.increment.max_strain, fresh.increment.max_strain);
   EXPECT_EQ(scene.frames.views, fresh.frames.views);
   EXPECT_EQ(scene.contact.release_tolerance, fresh.contact.release_tolerance);
 }
