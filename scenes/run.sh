@@ -37,7 +37,7 @@ build_release hydroscope hydroscope_make_dies
 
 # Die meshes are made by a program of the project, not kept in it.
 sed -n 's/^ *file *= *"\(.*\)\.stl".*/\1/p' "$scene" | while read -r die; do
-  [ -f "scenes/$die.stl" ] || build/release/hydroscope_make_dies "scenes/$(dirname "$die")" "$(basename "$die")"
+  [ -f "scenes/$die.stl" ] || build/release/scenes/generators/hydroscope_make_dies "scenes/$(dirname "$die")" "$(basename "$die")"
 done
 
 # --force: results of an earlier run of the scene are replaced.
