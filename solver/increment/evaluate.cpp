@@ -100,17 +100,6 @@ Scratch::Scratch(const Model& model, int threads)
   trial.wall.assign(n, model.thickness);
 }
 
-ElementNodes gather_nodes(const Model& model, const Configuration& c, std::size_t element) {
-  ElementNodes nodes;
-  for (std::size_t a = 0; a < 4; ++a) {
-    const auto i = static_cast<std::size_t>(model.quads[element][a]);
-    nodes.x[a] = c.x[i];
-    nodes.triad[a] = c.triad[i];
-    nodes.thickness[a] = c.thickness[i];
-  }
-  return nodes;
-}
-
 void evaluate_elements(const Model& model, const State& state, const Loads& loads, bool assume_flow,
                        Scratch& s) {
   const PhaseTimer timer(s.times.assemble);

@@ -30,6 +30,4 @@ void evaluate_through_wall_stress(const Model& model, const State& state, const 
 /// local bases of the nodes (4.52)-(4.57).
 void assemble_matrix(const Model& model, Scratch& scratch);
 
-ElementNodes gather_nodes(const Model& model, const Configuration& configuration, std::size_t element);
-
 }  // namespace hydroscope

@@ -7,17 +7,6 @@ namespace hydroscope {
 
 namespace {
 
-ElementNodes gather_initial(const Model& model, const Configuration& c, std::size_t element) {
-  ElementNodes nodes;
-  for (std::size_t a = 0; a < 4; ++a) {
-    const auto i = static_cast<std::size_t>(model.quads[element][a]);
-    nodes.x[a] = c.x[i];
-    nodes.triad[a] = c.triad[i];
-    nodes.thickness[a] = c.thickness[i];
-  }
-  return nodes;
-}
-
 void add_to_hash(std::uint64_t& hash, double value) {
   std::uint64_t bits;
   std::memcpy(&bits, &value, sizeof bits);
@@ -30,6 +19,17 @@ void add_to_hash(std::uint64_t& hash, const Vec3& v) {
 
 }  // namespace
 
+ElementNodes gather_nodes(const Model& model, const Configuration& c, std::size_t element) {
+  ElementNodes nodes;
+  for (std::size_t a = 0; a < 4; ++a) {
+    const auto i = static_cast<std::size_t>(model.quads[element][a]);
+    nodes.x[a] = c.x[i];
+    nodes.triad[a] = c.triad[i];
+    nodes.thickness[a] = c.thickness[i];
+  }
+  return nodes;
+}
+
 State make_initial_state(const Model& model) {
   State s;
   const auto n = static_cast<std::size_t>(model.n_nodes()), n_e = model.quads.size();
@@ -38,7 +38,7 @@ State make_initial_state(const Model& model) {
   s.layers.resize(n_e * kGaussPoints * n_z);
   s.gauss.resize(n_e * kGaussPoints);
   for (std::size_t e = 0; e < n_e; ++e) {
-    initialise_element(gather_initial(model, s.configuration, e), model.axis, model.law.rule,
+    initialise_element(gather_nodes(model, s.configuration, e), model.axis, model.law.rule,
                        {std::span(s.layers).subspan(e * kGaussPoints * n_z, kGaussPoints * n_z),
                         std::span(s.gauss).subspan(e * kGaussPoints, kGaussPoints)});
   }

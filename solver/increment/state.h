@@ -40,6 +40,9 @@ struct State {
 /// State at time 0: stress-free, contacts searched, nothing solved.
 State make_initial_state(const Model& model);
 
+/// Nodes of one element in a configuration.
+ElementNodes gather_nodes(const Model& model, const Configuration& configuration, std::size_t element);
+
 /// 64-bit FNV-1a hash of all values of the state, for determinism checks.
 std::uint64_t calc_hash(const State& state);
 
