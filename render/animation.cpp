@@ -17,8 +17,8 @@
 
 #include "render/frame_files.h"
 #include "render/image/png_file.h"
-#include "render/image/whole_file.h"
 #include "solver/base/error.h"
+#include "solver/base/whole_file.h"
 
 namespace hydroscope {
 namespace {

@@ -7,8 +7,8 @@
 #include <filesystem>
 #include <vector>
 
-#include "render/image/whole_file.h"
 #include "solver/base/error.h"
+#include "solver/base/whole_file.h"
 
 namespace hydroscope {
 namespace {

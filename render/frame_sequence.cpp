@@ -20,9 +20,9 @@
 #include "render/camera.h"
 #include "render/frame_files.h"
 #include "render/frame_painter.h"
-#include "render/image/whole_file.h"
 #include "render/view_text.h"
 #include "solver/base/error.h"
+#include "solver/base/whole_file.h"
 
 namespace hydroscope {
 namespace {

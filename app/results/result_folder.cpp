@@ -6,8 +6,8 @@
 #include <cstdio>
 #include <regex>
 
-#include "app/results/whole_file.h"
 #include "solver/base/error.h"
+#include "solver/base/whole_file.h"
 
 namespace hydroscope {
 namespace {

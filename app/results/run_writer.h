@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "app/results/result_folder.h"
-#include "app/results/whole_file.h"
+#include "solver/base/whole_file.h"
 #include "solver/session/run.h"
 
 namespace hydroscope {

@@ -5,8 +5,8 @@
 
 #include "app/results/json.h"
 #include "app/results/poly_data_file.h"
-#include "app/results/whole_file.h"
 #include "solver/base/error.h"
+#include "solver/base/whole_file.h"
 
 namespace hydroscope {
 namespace {

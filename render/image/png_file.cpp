@@ -9,8 +9,8 @@
 #include <cstring>
 #include <memory>
 
-#include "render/image/whole_file.h"
 #include "solver/base/error.h"
+#include "solver/base/whole_file.h"
 
 namespace hydroscope {
 namespace {

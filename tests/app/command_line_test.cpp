@@ -7,9 +7,9 @@
 #include <cstdlib>
 
 #include "app/frame_options.h"
-#include "app/results/whole_file.h"
 #include "solver/base/error.h"
-#include "temporary_folder.h"
+#include "solver/base/whole_file.h"
+#include "tests/temporary_folder.h"
 
 namespace hydroscope::test {
 namespace {

@@ -8,7 +8,8 @@
 #include "app/results/json.h"
 #include "sample_run.h"
 #include "solver/base/error.h"
-#include "temporary_folder.h"
+#include "tests/app/file_size_limit.h"
+#include "tests/temporary_folder.h"
 
 namespace hydroscope::test {
 namespace {
@@ -42,9 +43,10 @@ class RecordRun : public testing::Test {
   }
 
   RecordedRun record(int increments, Outcome outcome, const FrameSink& frames = {}) {
-    RunWriter writer(make_result_folder(path(), true),
-                     {"scenes/a.toml", "title = \"a\"\n", {"tool.die.friction=0.1"}, {{"die", "fine\n"}}, 2, 1.0}, *model_,
-                     {"r45_mm", "t_mm"});
+    RunWriter writer(
+        make_result_folder(path(), true),
+        {"scenes/a.toml", "title = \"a\"\n", {"tool.die.friction=0.1"}, {{"die", "fine\n"}}, 2, 1.0}, *model_,
+        {"r45_mm", "t_mm"});
     Progress progress(log_);
     return record_run([&](const RunObserver& observer) { return solve(observer, increments, outcome); },
                       writer, frames, progress, stop_);

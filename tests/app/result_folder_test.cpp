@@ -4,9 +4,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "app/results/whole_file.h"
 #include "solver/base/error.h"
-#include "temporary_folder.h"
+#include "solver/base/whole_file.h"
+#include "tests/temporary_folder.h"
 
 namespace hydroscope::test {
 namespace {

@@ -7,10 +7,10 @@
 #include <cstring>
 
 #include "app/results/poly_data_file.h"
-#include "app/results/whole_file.h"
 #include "sample_run.h"
 #include "solver/base/error.h"
-#include "temporary_folder.h"
+#include "solver/base/whole_file.h"
+#include "tests/temporary_folder.h"
 
 namespace hydroscope::test {
 namespace {

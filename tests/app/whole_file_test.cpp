@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/results/whole_file.h"
+#include "solver/base/whole_file.h"
 
 #include <gtest/gtest.h>
 
 #include "solver/base/error.h"
-#include "temporary_folder.h"
+#include "tests/app/file_size_limit.h"
+#include "tests/temporary_folder.h"
 
 namespace hydroscope::test {
 namespace {

@@ -11,7 +11,7 @@
 #include "render/views.h"
 #include "solver/base/error.h"
 #include "tests/render/synthetic.h"
-#include "tests/render/temporary_folder.h"
+#include "tests/temporary_folder.h"
 
 namespace hydroscope {
 namespace {
@@ -45,7 +45,7 @@ class Sequence : public testing::Test {
   std::string sidecar(const std::string& view, int number) {
     char name[32];
     std::snprintf(name, sizeof name, "/%05d.json", number);
-    return read_text(folder.path() + "/" + view + name);
+    return read_text(folder.path().string() + "/" + view + name);
   }
 
   SyntheticBulge bulge{.around = 8, .along = 8};

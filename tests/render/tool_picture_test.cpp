@@ -6,7 +6,7 @@
 #include "render/image/png_file.h"
 #include "solver/base/error.h"
 #include "tests/render/synthetic.h"
-#include "tests/render/temporary_folder.h"
+#include "tests/temporary_folder.h"
 
 namespace hydroscope {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/results/whole_file.h"
+#include "solver/base/whole_file.h"
 
 #include <fcntl.h>
 #include <unistd.h>
@@ -45,6 +45,13 @@ void write_whole_file(const std::filesystem::path& path, std::string_view bytes)
     ::unlink(temporary.c_str());
     fail(path, error);
   }
+}
+
+void make_folder(const std::filesystem::path& folder) {
+  std::error_code code;
+  std::filesystem::create_directories(folder, code);
+  if (code) throw EnvironmentError("cannot make the folder " + folder.string() + ": " + code.message());
+  if (::access(folder.c_str(), W_OK | X_OK) != 0) fail(folder, errno);
 }
 
 std::string read_whole_file(const std::filesystem::path& path) {

@@ -12,6 +12,9 @@ namespace hydroscope {
 /// sees the old file or the whole new one. Throws EnvironmentError; the old file stays.
 void write_whole_file(const std::filesystem::path& path, std::string_view bytes);
 
+/// Makes a folder and those above it, and checks that it can be written. Throws EnvironmentError.
+void make_folder(const std::filesystem::path& folder);
+
 /// Throws InputError when the file is missing or cannot be read.
 std::string read_whole_file(const std::filesystem::path& path);
 
