@@ -23,7 +23,7 @@ std::size_t at(int i) { return static_cast<std::size_t>(i); }
 MeshSurface::MeshSurface(const TriangleMesh& mesh, const MeshSurfaceOptions& options)
     : topology_(make_topology(mesh)),
       points_(mesh.triangles),
-      tree_(mesh),
+      search_(make_facet_search(mesh, options.search)),
       keeps_facet_normals_(options.normals == NormalRule::facet) {
   const double crease_angle = options.crease_angle * std::numbers::pi / 180.0;
   CornerNormals corners = calc_corner_normals(mesh, topology_, options.normals, crease_angle);
@@ -39,7 +39,7 @@ MeshSurface::MeshSurface(const TriangleMesh& mesh, const MeshSurfaceOptions& opt
     require(prisms_.back().area2 > 0.0, "a tool surface needs facets with an area");
     area2 += prisms_.back().area2;
   }
-  size_ = (tree_.high() - tree_.low()).norm();
+  size_ = (search_->high() - search_->low()).norm();
   floor_ = 1e-3 * std::sqrt(area2 / static_cast<double>(mesh.triangles.size()));
   link_facets(corners);
   mark_seams(mesh);
@@ -84,9 +84,9 @@ void MeshSurface::mark_seams(const TriangleMesh& mesh) {
       const Vec3& to = mesh.points[at(points_[f][(k + 2) % 3])];
       for (double s : {0.07, 0.31, 0.5, 0.69, 0.93}) {
         const Vec3 x = from + s * (to - from);
-        tree_.visit_within(x, tolerance, [&](int other) {
+        search_->visit_within(x, tolerance, [&](int other) {
           if (at(other) == f) return;
-          if (tree_.calc_distance2(x, other) < tolerance * tolerance) links_[f][k] = Link::seam;
+          if (search_->calc_distance2(x, other) < tolerance * tolerance) links_[f][k] = Link::seam;
         });
       }
     }
@@ -133,12 +133,12 @@ std::optional<FootPoint> MeshSurface::find_foot_point(const Vec3& x, double band
   const double window = std::max(band, depth);
   if (hint.clearance > 0.0 && (x - hint.position).norm() + window < hint.clearance) return std::nullopt;
   const double reach = window + rise_;
-  TriangleTree::Nearest best{-1, kFarReach * kFarReach * reach * reach};
+  FacetSearch::Nearest best{-1, kFarReach * kFarReach * reach * reach};
   if (hint.facet >= 0 && at(hint.facet) < prisms_.size()) {
-    const double distance2 = tree_.calc_distance2(x, hint.facet);
+    const double distance2 = search_->calc_distance2(x, hint.facet);
     if (distance2 < best.distance2) best = {hint.facet, distance2};
   }
-  best = tree_.find_nearest(x, best);
+  best = search_->find_nearest(x, best);
   const double distance = std::sqrt(best.distance2);
   hint.position = x;
   hint.clearance = distance - rise_;

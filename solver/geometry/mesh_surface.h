@@ -5,10 +5,10 @@
 #include <vector>
 
 #include "solver/geometry/edge_foot.h"
+#include "solver/geometry/facet_search.h"
 #include "solver/geometry/mesh_topology.h"
 #include "solver/geometry/prism.h"
 #include "solver/geometry/tool_surface.h"
-#include "solver/geometry/triangle_tree.h"
 #include "solver/geometry/vertex_normals.h"
 
 namespace hydroscope {
@@ -17,6 +17,7 @@ struct MeshSurfaceOptions {
   NormalRule normals = NormalRule::area;
   double crease_angle = 40.0;  ///< [deg]; normals are not averaged over sharper edges
   bool is_smooth = false;      ///< facets bent to fit their node normals, see bend_edges()
+  SearchRule search = SearchRule::tree;
 };
 
 /// A tool surface of flat triangles with averaged node normals (method 2), searched
@@ -69,7 +70,7 @@ class MeshSurface final : public ToolSurface {
   std::vector<std::array<Link, 3>> links_;  // kind of edge k
   std::vector<std::array<int, 3>> points_;  // as given, before points on creases were repeated
   std::vector<char> is_tip_;                // points on creases
-  TriangleTree tree_;
+  std::unique_ptr<const FacetSearch> search_;
   bool keeps_facet_normals_ = false;
   int crease_edges_ = 0;
   double size_ = 0.0;   // diagonal of the bounding box [mm]

@@ -66,7 +66,7 @@ std::optional<FootPoint> MeshSurface::find_rim(const Vec3& x, int facet, const P
 std::optional<FootPoint> MeshSurface::find_any_prism(const Vec3& x, double radius) const {
   int facet = -1;
   PrismPoint best;
-  tree_.visit_within(x, radius, [&](int f) {
+  search_->visit_within(x, radius, [&](int f) {
     const PrismPoint place = locate_in_prism(prisms_[at(f)], x);
     if (!place.is_valid || place.smallest() < -kEps || std::abs(place.g) > radius) return;
     const double nearer = std::abs(place.g) - std::abs(best.g);
@@ -80,7 +80,7 @@ std::optional<FootPoint> MeshSurface::find_any_prism(const Vec3& x, double radiu
 
 std::optional<FootPoint> MeshSurface::find_any_crease(const Vec3& x, double radius) const {
   std::optional<FootPoint> best;
-  tree_.visit_within(x, radius, [&](int f) {
+  search_->visit_within(x, radius, [&](int f) {
     for (int k = 0; k < 3; ++k) {
       if (links_[at(f)][at(k)] != Link::crease || next_[at(f)][at(k)] < f) continue;
       auto foot = find_crease_foot(make_edge(f, k), x, floor_);
@@ -105,7 +105,7 @@ FootPoint MeshSurface::find_any_end(const Vec3& x, int nearest, double distance,
     best = foot;
     best_distance = d;
   };
-  tree_.visit_within(x, radius, [&](int f) {
+  search_->visit_within(x, radius, [&](int f) {
     const Prism& prism = prisms_[at(f)];
     for (int k = 0; k < 3; ++k) {
       if (next_[at(f)][at(k)] < 0) keep(follow_rim(x, f, k));

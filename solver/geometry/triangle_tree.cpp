@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/geometry/triangle_tree.h"
 
-#include <numeric>
+#include <array>
+#include <limits>
 
 #include "solver/base/error.h"
 
@@ -17,24 +18,16 @@ std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 }  // namespace
 
-TriangleTree::TriangleTree(const TriangleMesh& mesh) {
-  const int count = static_cast<int>(mesh.triangles.size());
-  require(count > 0, "a triangle tree needs at least one facet");
-  slots_.resize(at(count));
-  std::vector<Vec3> centres(at(count));
-  for (int f = 0; f < count; ++f) {
-    const auto& t = mesh.triangles[at(f)];
-    slots_[at(f)] = {mesh.points[at(t[0])], mesh.points[at(t[1])], mesh.points[at(t[2])], f};
-    const Slot& slot = slots_[at(f)];
-    centres[at(f)] =
-        0.5 * (slot.a.cwiseMin(slot.b).cwiseMin(slot.c) + slot.a.cwiseMax(slot.b).cwiseMax(slot.c));
-  }
-  nodes_.reserve(at(count));
+TriangleTree::TriangleTree(const TriangleMesh& mesh) : FacetSearch(mesh) {
+  const int count = static_cast<int>(slots_.size());
+  std::vector<Vec3> centres;
+  centres.reserve(slots_.size());
+  for (const Slot& slot : slots_) centres.push_back(0.5 * (slot.low() + slot.high()));
+  nodes_.reserve(slots_.size());
   nodes_.emplace_back();
   build(0, 0, count, 1, centres);
   require(depth_ < kStack, "a triangle tree deeper than its stack");
-  slot_of_facet_.resize(at(count));
-  for (int s = 0; s < count; ++s) slot_of_facet_[at(slots_[at(s)].facet)] = s;
+  number_slots();
 }
 
 void TriangleTree::build(int node, int first, int count, int level, const std::vector<Vec3>& centres) {
@@ -45,8 +38,8 @@ void TriangleTree::build(int node, int first, int count, int level, const std::v
   Vec3 centre_high = high;
   for (int s = first; s < first + count; ++s) {
     const Slot& slot = slots_[at(s)];
-    low = low.cwiseMin(slot.a).cwiseMin(slot.b).cwiseMin(slot.c);
-    high = high.cwiseMax(slot.a).cwiseMax(slot.b).cwiseMax(slot.c);
+    low = low.cwiseMin(slot.low());
+    high = high.cwiseMax(slot.high());
     centre_low = centre_low.cwiseMin(centres[at(slot.facet)]);
     centre_high = centre_high.cwiseMax(centres[at(slot.facet)]);
   }
@@ -75,16 +68,6 @@ void TriangleTree::build(int node, int first, int count, int level, const std::v
   build(child + 1, first + half, count - half, level + 1, centres);
 }
 
-void TriangleTree::search_leaf(const Node& node, const Vec3& x, Nearest& best) const {
-  for (int s = node.first; s < node.first + node.count; ++s) {
-    const Slot& slot = slots_[at(s)];
-    const double distance2 = find_closest_point(x, slot.a, slot.b, slot.c).distance2;
-    const bool is_better = distance2 < best.distance2 ||
-                           (distance2 == best.distance2 && (best.facet < 0 || slot.facet < best.facet));
-    if (is_better) best = {slot.facet, distance2};
-  }
-}
-
 TriangleTree::Nearest TriangleTree::find_nearest(const Vec3& x, Nearest start) const {
   struct Entry {
     int node;
@@ -99,7 +82,7 @@ TriangleTree::Nearest TriangleTree::find_nearest(const Vec3& x, Nearest start) c
     if (entry.distance2 > best.distance2 * kSlack) continue;
     const Node& node = nodes_[at(entry.node)];
     if (node.count > 0) {
-      search_leaf(node, x, best);
+      for (int s = node.first; s < node.first + node.count; ++s) keep_nearer(slots_[at(s)], x, best);
       continue;
     }
     const double first = calc_box_distance2(nodes_[at(node.first)], x);
@@ -114,9 +97,20 @@ TriangleTree::Nearest TriangleTree::find_nearest(const Vec3& x, Nearest start) c
   return best;
 }
 
-double TriangleTree::calc_distance2(const Vec3& x, int facet) const {
-  const Slot& slot = slots_[at(slot_of_facet_[at(facet)])];
-  return find_closest_point(x, slot.a, slot.b, slot.c).distance2;
+void TriangleTree::visit_within(const Vec3& x, double radius, const std::function<void(int)>& visit) const {
+  std::array<int, kStack> stack{};
+  int top = 0;
+  stack[0] = 0;
+  while (top >= 0) {
+    const Node& node = nodes_[at(stack[at(top--)])];
+    if (calc_box_distance2(node, x) > radius * radius) continue;
+    for (int s = node.first; s < node.first + node.count; ++s) {
+      if (slots_[at(s)].is_box_within(x, radius)) visit(slots_[at(s)].facet);
+    }
+    if (node.count > 0) continue;
+    stack[at(++top)] = node.first + 1;
+    stack[at(++top)] = node.first;
+  }
 }
 
 }  // namespace hydroscope
