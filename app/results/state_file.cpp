@@ -86,6 +86,7 @@ PolyData make_poly_data(const Snapshot& s) {
       {"contact_tool", 1,
        fill_up(std::vector<std::int32_t>(s.contact_tool.begin(), s.contact_tool.end()), nodes, -1)},
   };
+  if (!s.support_force.empty()) data.point_arrays.push_back({"support_force_N", 3, vectors(s.support_force)});
   data.field_arrays = {
       {"TimeValue", 1, std::vector<double>{s.time}},  // the name by which ParaView knows it
       {"increment", 1, std::vector<std::int32_t>{s.increment}},
@@ -93,10 +94,20 @@ PolyData make_poly_data(const Snapshot& s) {
       {"pressure_MPa", 1, std::vector<double>{s.pressure}},
       {"feed_mm", 1, std::vector<double>{s.feed}},
       {"tool_translation_mm", 3, flatten(s.tool_translation)},
+      {"tool_force_N", 3, flatten(s.tool_force)},
   };
   for (const auto& [name, value] : s.quantities)
     data.field_arrays.push_back({kQuantity + name, 1, std::vector<double>{value}});
   return data;
+}
+
+/// Empty when the file is older than the array.
+std::vector<Vec3> gather_newer(const std::vector<DataArray>& arrays, const std::string& name) {
+  for (const DataArray& array : arrays) {
+    if (array.name != name) continue;
+    if (const auto* numbers = std::get_if<std::vector<double>>(&array.values)) return gather(*numbers);
+  }
+  return {};
 }
 
 template <class Value>
@@ -132,10 +143,12 @@ Snapshot make_snapshot(const PolyData& data) {
   s.gap = data.point_array<double>("gap_mm");
   s.contact_pressure = data.point_array<double>("contact_pressure_MPa");
   s.contact_force = gather(data.point_array<double>("contact_force_N"));
+  s.support_force = gather_newer(data.point_arrays, "support_force_N");
   s.tool_normal = gather(data.point_array<double>("tool_normal"));
   s.slip = gather(data.point_array<double>("slip_mm"));
   s.slip_increment = gather(data.point_array<double>("slip_increment_mm"));
   s.tool_translation = gather(data.field_array<double>("tool_translation_mm"));
+  s.tool_force = gather_newer(data.field_arrays, "tool_force_N");
   for (const DataArray& array : data.field_arrays) {
     if (array.name.starts_with(kQuantity))
       s.quantities[array.name.substr(2)] = get_one<double>(data, array.name);
@@ -209,7 +222,10 @@ void write_model(const SnapshotModel& model, const std::filesystem::path& folder
     tools.push_back(tool.name);
     write_tool(tool, folder / "tools");
   }
-  const Json json = Json::Object{{"title", model.title}, {"mirrors", mirrors}, {"tools", tools}};
+  const Json json = Json::Object{{"title", model.title},
+                                 {"mirrors", mirrors},
+                                 {"tools", tools},
+                                 {"pressure_on_inner_face", model.is_pressure_inside}};
   write_whole_file(folder / "model.json", json.write() + "\n");
 }
 
@@ -224,6 +240,7 @@ std::shared_ptr<const SnapshotModel> read_model(const std::filesystem::path& fol
     for (const Json& mirror : json.at("mirrors").items()) {
       model->mirrors.push_back({get_vector(mirror.at("point_mm")), get_vector(mirror.at("normal"))});
     }
+    if (const Json* inside = json.find("pressure_on_inner_face")) model->is_pressure_inside = inside->flag();
     for (const Json& name : json.at("tools").items())
       model->tools.push_back(read_tool(name.text(), folder / "tools"));
   } catch (const InputError& error) {

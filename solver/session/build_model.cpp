@@ -234,6 +234,7 @@ SnapshotModel make_snapshot_model(const Model& model) {
   result.title = model.title;
   result.quads = model.quads;
   result.mirrors = model.mirrors;
+  result.is_pressure_inside = model.use_inner_surface;
   for (const Tool& tool : model.tools) {
     result.tools.push_back({tool.name, tool.surface->display_mesh(), tool.surface->display_normals()});
   }

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "solver/increment/contact_step.h"
+#include "solver/increment/evaluate.h"
 #include "solver/increment/measures.h"
 
 namespace hydroscope {
@@ -32,8 +33,7 @@ std::vector<double> calc_plastic_strain(const Model& model, const State& state) 
 /// Takes over what one tool does at a node; the nearest tool gives the gap.
 void add_contact(const Model& model, const State& state, std::size_t t, std::size_t i, Snapshot& s) {
   const ContactPoint& c = state.contacts[t][i];
-  if (!c.has_foot) return;
-  if (!(std::abs(s.gap[i]) <= std::abs(c.foot.gap))) s.gap[i] = c.foot.gap;
+  if (c.has_foot && !(std::abs(s.gap[i]) <= std::abs(c.foot.gap))) s.gap[i] = c.foot.gap;
   if (!c.is_active()) {
     const bool has_just_let_go = c.last_toggle == state.increment && c.toggles > 0 && state.increment > 0;
     if (has_just_let_go && s.contact_state[i] == ContactClass::kFree) {
@@ -43,11 +43,30 @@ void add_contact(const Model& model, const State& state, std::size_t t, std::siz
   }
   s.contact_state[i] = c.status == ContactStatus::kStick ? ContactClass::kStick : ContactClass::kSlip;
   s.contact_tool[i] = static_cast<int>(t);
-  s.contact_force[i] += c.normal_force * c.foot.normal + c.friction;
+  const Vec3 force = c.normal_force * c.foot.normal + c.friction;
+  s.contact_force[i] += force;
+  s.tool_force[t] += force;
   s.contact_pressure[i] += calc_smoothed_pressure(model, state.contacts[t], state.area, static_cast<int>(i));
   s.tool_normal[i] = c.foot.normal;
   s.slip[i] = c.slip;
   s.slip_increment[i] = c.slip_increment;
+}
+
+/// What holds and loads the sheet beside fluid and tools.
+std::vector<Vec3> calc_support_force(const Model& model, const State& state) {
+  Trial trial;
+  trial.configuration = state.configuration;
+  trial.other_load = Vector::Zero(static_cast<Eigen::Index>(kDofs * model.x0.size()));
+  evaluate_edge_loads(model, {.time = state.time, .pressure = state.pressure}, trial);
+  std::vector<Vec3> forces = state.reaction;
+  for (std::size_t i = 0; i < forces.size(); ++i)
+    forces[i] += trial.other_load.segment<3>(static_cast<Eigen::Index>(kDofs * i));
+  return forces;
+}
+
+Vec3 calc_shown_translation(const Tool& tool, double time) {
+  constexpr double kGone = std::numeric_limits<double>::quiet_NaN();
+  return tool.is_present(time) ? tool.calc_translation(time) : Vec3::Constant(kGone);
 }
 
 }  // namespace
@@ -72,9 +91,11 @@ std::shared_ptr<const Snapshot> make_snapshot(const Model& model, const State& s
   for (auto* field : {&s->contact_force, &s->tool_normal, &s->slip, &s->slip_increment}) {
     field->assign(n, Vec3::Zero());
   }
+  s->support_force = calc_support_force(model, state);
+  s->tool_force.assign(model.tools.size(), Vec3::Zero());
   for (std::size_t t = 0; t < model.tools.size(); ++t) {
     for (std::size_t i = 0; i < n; ++i) add_contact(model, state, t, i, *s);
-    s->tool_translation.push_back(model.tools[t].calc_translation(state.time));
+    s->tool_translation.push_back(calc_shown_translation(model.tools[t], state.time));
   }
   std::vector<double> values;
   for (const Quantity& q : model.quantities) {

@@ -8,8 +8,8 @@
 
 namespace hydroscope {
 
-/// An immutable picture of an accepted state. `before` tells which nodes were in
-/// contact at the last snapshot-worthy increment, to show what has just let go.
+/// An immutable picture of an accepted state. A tool that has been taken away
+/// has no translation (NaN); nodes that let go in the state's increment are told from the free ones.
 std::shared_ptr<const Snapshot> make_snapshot(const Model& model, const State& state,
                                               std::shared_ptr<const SnapshotModel> shared);
 

@@ -21,6 +21,7 @@ struct SnapshotModel {
   /// Mirror planes in the order in which they double the part: applying all of
   /// them one after the other gives the whole part. Normals point out of the modelled part.
   std::vector<Plane> mirrors;
+  bool is_pressure_inside = false;  ///< the fluid presses on the inner face, else on the mid-surface
   struct Tool {
     std::string name;
     TriangleMesh mesh;          ///< in the tool's frame [mm]
@@ -46,10 +47,12 @@ struct Snapshot {
   std::vector<double> gap;                   ///< to the nearest tool [mm]; NaN when out of its band
   std::vector<double> contact_pressure;      ///< smoothed [MPa]
   std::vector<Vec3> contact_force;           ///< tool on sheet, normal and friction [N]
+  std::vector<Vec3> support_force;           ///< of supports, symmetry and edge loads [N]; empty: not known
   std::vector<Vec3> tool_normal;             ///< at the foot point; zero when free
   std::vector<Vec3> slip;                    ///< accumulated sliding vector [mm]
   std::vector<Vec3> slip_increment;          ///< of the last increment [mm]
-  std::vector<Vec3> tool_translation;        ///< one a tool [mm]
+  std::vector<Vec3> tool_translation;        ///< one a tool [mm]; no number: it has been taken away
+  std::vector<Vec3> tool_force;              ///< one a tool: its own sum over the sheet [N]; empty: not known
   std::map<std::string, double> quantities;  ///< as declared by the scene
 };
 

@@ -16,6 +16,7 @@ inline std::shared_ptr<const SnapshotModel> make_model() {
   model->quads = {{0, 1, 4, 3}, {1, 2, 5, 4}};
   model->mirrors = {{Vec3(0, 0, 0), Vec3(std::sqrt(0.5), -std::sqrt(0.5), 0)},
                     {Vec3(0, 0, 1.0 / 3.0), Vec3::UnitZ()}};
+  model->is_pressure_inside = true;
   SnapshotModel::Tool tool;
   tool.name = "die";
   tool.mesh.points = {{0, 0, 0}, {1.0 / 3.0, 0, 0}, {0, 1e-300, -0.1}};
@@ -44,11 +45,13 @@ inline std::shared_ptr<const Snapshot> make_snapshot(const std::shared_ptr<const
     s->gap.push_back(i == 2 ? std::numeric_limits<double>::quiet_NaN() : -0.0 + a * i);
     s->contact_pressure.push_back(5e-324 * i);
     s->contact_force.emplace_back(b, -0.0, 1e300);
+    s->support_force.emplace_back(-b, 1.0 / 3.0, 0);
     s->tool_normal.emplace_back(0, 0, i);
     s->slip.emplace_back(a, a, b);
     s->slip_increment.emplace_back(a * 1e-9, 0, 0);
   }
   s->tool_translation = {Vec3(0, -1.0 / 7.0, 0)};
+  s->tool_force = {Vec3(1e300, 0, -1.0 / 7.0)};
   s->quantities = {{"r45_mm", 1.0 / 7.0}, {"t_mm", 1.25}};
   return s;
 }

@@ -44,6 +44,8 @@ TEST(StateFile, RoundTripKeepsEveryBit) {
   EXPECT_TRUE(is_same(back->gap, s->gap));
   EXPECT_TRUE(is_same(back->contact_pressure, s->contact_pressure));
   EXPECT_TRUE(is_same(back->contact_force, s->contact_force));
+  EXPECT_TRUE(is_same(back->support_force, s->support_force));
+  EXPECT_TRUE(is_same(back->tool_force, s->tool_force));
   EXPECT_TRUE(is_same(back->tool_normal, s->tool_normal));
   EXPECT_TRUE(is_same(back->slip, s->slip));
   EXPECT_TRUE(is_same(back->slip_increment, s->slip_increment));
@@ -59,6 +61,7 @@ TEST(StateFile, ModelRoundTrip) {
   const auto back = read_model(folder.path(), folder.path() / "s.vtp");
   EXPECT_EQ(back->title, model->title);
   EXPECT_EQ(back->quads, model->quads);
+  EXPECT_TRUE(back->is_pressure_inside);
   ASSERT_EQ(back->mirrors.size(), 2U);
   EXPECT_EQ(back->mirrors[0].normal, model->mirrors[0].normal);
   EXPECT_EQ(back->mirrors[1].point, model->mirrors[1].point);
@@ -92,6 +95,25 @@ TEST(StateFile, ArraysThatARunLeavesOutAreFilledUp) {
   EXPECT_TRUE(std::isnan(back->gap.at(0)));
   EXPECT_EQ(back->contact_tool.at(5), -1);
   EXPECT_EQ(back->slip.at(5), Vec3::Zero());
+}
+
+TEST(StateFile, AToolThatHasLeftStaysAway) {
+  const TemporaryFolder folder;
+  Snapshot s = *make_snapshot(make_model(), 1);
+  s.tool_translation[0].setConstant(std::numeric_limits<double>::quiet_NaN());
+  write_state(s, folder.path() / "s.vtp");
+  EXPECT_TRUE(read_state(folder.path() / "s.vtp", s.model)->tool_translation.at(0).hasNaN());
+}
+
+TEST(StateFile, WhatTheSolverDidNotSayIsNotMadeUp) {
+  const TemporaryFolder folder;
+  Snapshot s = *make_snapshot(make_model(), 1);
+  s.support_force.clear();
+  s.tool_force.clear();
+  write_state(s, folder.path() / "s.vtp");
+  const auto back = read_state(folder.path() / "s.vtp", s.model);
+  EXPECT_TRUE(back->support_force.empty());
+  EXPECT_TRUE(back->tool_force.empty());
 }
 
 TEST(StateFile, CutOffAnywhereIsAnError) {

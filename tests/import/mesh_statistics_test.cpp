@@ -3,7 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include "solver/geometry/clip_mesh.h"
 #include "tests/geometry/test_shapes.h"
 
 namespace hydroscope {
@@ -51,38 +50,6 @@ TEST(MeshStatistics, FindsSliversAndTJoints) {
   EXPECT_EQ(statistics.slivers, 1);
   EXPECT_NEAR(statistics.worst_aspect, 90.0, 1.0);
   EXPECT_EQ(statistics.parts, 3);
-}
-
-TEST(ClipToHalfSpaces, KeepsWhatTheModelCanMeet) {
-  const TriangleMesh mesh = test::make_icosphere(10, 3);
-  const std::vector<Plane> quarter = {{Vec3::Zero(), Vec3::UnitX()}, {Vec3::Zero(), Vec3::UnitY()}};
-  const TriangleMesh clipped = clip_to_half_spaces(mesh, quarter, 0.5);
-  EXPECT_LT(clipped.triangles.size(), mesh.triangles.size() / 2);
-  // Every facet that reaches into the quarter is still there.
-  std::size_t reaching = 0;
-  for (const auto& t : mesh.triangles) {
-    bool x = false, y = false;
-    for (int p : t) {
-      x = x || mesh.points[static_cast<std::size_t>(p)].x() > -0.5;
-      y = y || mesh.points[static_cast<std::size_t>(p)].y() > -0.5;
-    }
-    reaching += x && y ? 1 : 0;
-  }
-  EXPECT_EQ(clipped.triangles.size(), reaching);
-  std::vector<char> used(clipped.points.size(), 0);
-  for (const auto& t : clipped.triangles) {
-    for (int p : t) used[static_cast<std::size_t>(p)] = 1;
-  }
-  EXPECT_EQ(std::count(used.begin(), used.end(), 0), 0);
-  EXPECT_TRUE(clip_to_half_spaces(mesh, {{Vec3(50, 0, 0), Vec3::UnitX()}}, 0.5).triangles.empty());
-}
-
-TEST(ClipToHalfSpaces, KeepsALargeFacetThatSpansTheModel) {
-  TriangleMesh mesh;
-  mesh.points = {{-100, -100, 0}, {100, -100, 0}, {0, 200, 0}};
-  mesh.triangles = {{0, 1, 2}};
-  const std::vector<Plane> slab = {{Vec3(0, -1, 0), Vec3::UnitY()}, {Vec3(0, 1, 0), -Vec3::UnitY()}};
-  EXPECT_EQ(clip_to_half_spaces(mesh, slab, 0.0).triangles.size(), 1u);
 }
 
 }  // namespace
