@@ -6,6 +6,7 @@
 #include <string>
 
 #include "render/image/png_file.h"
+#include "render/sidecar.h"
 #include "render/stage.h"
 #include "render/views.h"
 
@@ -16,12 +17,6 @@ struct Frame {
   Image image;
   PngTexts texts;
   std::string sidecar;  ///< JSON
-};
-
-/// Which frame of which sequence.
-struct FrameNumber {
-  int index = 0;     ///< from 0
-  int expected = 1;  ///< frames in the whole sequence
 };
 
 /// Draws frames: stage, views and overlay in one. Belongs to one thread.
@@ -40,13 +35,5 @@ class FramePainter {
   Stage stage_;
   std::unique_ptr<Views> views_;
 };
-
-/// The JSON beside a frame. Numbers read back exactly; what is no number is null.
-std::string make_sidecar(const std::string& view, const Snapshot& snapshot, FrameNumber number,
-                         const CameraPose& camera, const std::map<std::string, Range>& ranges,
-                         const FrameOptions& options, const RendererInfo& renderer);
-
-/// Sum of the contact forces of the tools on the sheet, over the modelled nodes [N].
-Vec3 calc_contact_force_sum(const Snapshot& snapshot);
 
 }  // namespace hydroscope

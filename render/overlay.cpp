@@ -140,14 +140,25 @@ void draw_axes(Layout& layout, const CameraPose& camera) {
 
 }  // namespace
 
-void draw_overlay(Image& image, const Legend& legend, const std::string& title, const std::string& time_label,
-                  const CameraPose& camera, const Theme& theme) {
+std::vector<PixelBox> draw_overlay(Image& image, const Legend& legend, const std::string& title,
+                                   const std::string& time_label, const CameraPose& camera,
+                                   const Theme& theme) {
   Layout layout(image, theme);
+  std::vector<PixelBox> boxes;
+  const auto close_box = [&] { boxes.push_back(layout.canvas.take_touched()); };
   draw_heading(layout, legend, title, time_label);
+  close_box();
   int top = layout.px(20);
-  for (const Legend::Bar& bar : legend.bars) top = draw_bar(layout, bar, top);
+  for (const Legend::Bar& bar : legend.bars) {
+    top = draw_bar(layout, bar, top);
+    close_box();
+  }
   draw_swatches(layout, legend, top);
+  close_box();
   draw_axes(layout, camera);
+  close_box();
+  std::erase(boxes, PixelBox{});
+  return boxes;
 }
 
 double calc_report_height(int lines) { return lines == 0 ? 0.0 : (lines * 19.0 + 34.0) / 720.0; }

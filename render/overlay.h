@@ -6,12 +6,15 @@
 
 #include "render/draw_list.h"
 #include "render/image/image.h"
+#include "render/image/pixel_box.h"
 
 namespace hydroscope {
 
 /// Title, time label, legends, colour bars and the axes, over a drawn picture.
-void draw_overlay(Image& image, const Legend& legend, const std::string& title, const std::string& time_label,
-                  const CameraPose& camera, const Theme& theme);
+/// Returns the boxes that hold all pixels it has changed.
+std::vector<PixelBox> draw_overlay(Image& image, const Legend& legend, const std::string& title,
+                                   const std::string& time_label, const CameraPose& camera,
+                                   const Theme& theme);
 
 /// Lines of a report in a panel along the lower edge, in columns as given.
 void draw_report(Image& image, const std::vector<std::string>& lines, const Theme& theme);

@@ -13,6 +13,7 @@
 #include <map>
 #include <mutex>
 #include <tuple>
+#include <utility>
 
 #include "solver/base/error.h"
 
@@ -81,11 +82,14 @@ std::string lettering_font() { return has_fonts() ? "DejaVu Sans" : "URW Gothic 
 
 void Canvas::blend(int x, int y, Rgb colour, double opacity) {
   if (x < 0 || y < 0 || x >= image_.width || y >= image_.height || opacity <= 0.0) return;
+  touched_.include(x, y);
   std::uint8_t* pixel = image_.pixel(x, y);
   for (std::size_t c = 0; c < 3; ++c)
     pixel[c] =
         static_cast<std::uint8_t>(std::lround(pixel[c] + std::min(opacity, 1.0) * (colour[c] - pixel[c])));
 }
+
+PixelBox Canvas::take_touched() { return std::exchange(touched_, {}); }
 
 void Canvas::fill(int x, int y, int width, int height, Rgb colour, double opacity) {
   for (int j = y; j < y + height; ++j)

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "render/image/image.h"
+#include "render/image/pixel_box.h"
 
 namespace hydroscope {
 
@@ -32,6 +33,9 @@ class Canvas {
   /// Line with smooth edges and round ends.
   void line(double x0, double y0, double x1, double y1, double width, Rgb colour);
 
+  /// Box around the pixels that were drawn on since the last call.
+  PixelBox take_touched();
+
   /// Width and height that text() takes [px].
   static std::array<int, 2> text_size(const std::string& words, const TextStyle& style);
 
@@ -39,6 +43,7 @@ class Canvas {
   void blend(int x, int y, Rgb colour, double opacity);
 
   Image& image_;
+  PixelBox touched_;
 };
 
 }  // namespace hydroscope
