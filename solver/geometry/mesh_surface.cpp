@@ -24,9 +24,11 @@ MeshSurface::MeshSurface(const TriangleMesh& mesh, const MeshSurfaceOptions& opt
     : topology_(make_topology(mesh)),
       points_(mesh.triangles),
       search_(make_facet_search(mesh, options.search)),
-      keeps_facet_normals_(options.normals == NormalRule::facet) {
+      keeps_facet_normals_(options.normals == NormalRule::facet),
+      projection_(options.projection) {
   const double crease_angle = options.crease_angle * std::numbers::pi / 180.0;
-  CornerNormals corners = calc_corner_normals(mesh, topology_, options.normals, crease_angle);
+  const QuadCover cover = options.quads.empty() ? QuadCover{} : cover_with_quads(mesh, options.quads);
+  CornerNormals corners = calc_corner_normals(mesh, topology_, options.normals, crease_angle, cover);
   prisms_.reserve(mesh.triangles.size());
   double area2 = 0.0;
   for (std::size_t f = 0; f < mesh.triangles.size(); ++f) {
@@ -43,7 +45,8 @@ MeshSurface::MeshSurface(const TriangleMesh& mesh, const MeshSurfaceOptions& opt
   floor_ = 1e-3 * std::sqrt(area2 / static_cast<double>(mesh.triangles.size()));
   link_facets(corners);
   mark_seams(mesh);
-  if (options.is_smooth && !keeps_facet_normals_) bend_facets();
+  if (!cover.quads.empty()) make_quads(mesh, cover, corners);
+  if (options.is_smooth && !keeps_facet_normals_ && quads_.empty()) bend_facets();
   display_mesh_.triangles = std::move(corners.corners);
   for (int point : corners.points) display_mesh_.points.push_back(mesh.points[at(point)]);
   normals_ = std::move(corners.normals);
@@ -145,6 +148,11 @@ std::optional<FootPoint> MeshSurface::find_foot_point(const Vec3& x, double band
   hint.facet = best.facet;
   // A foot point is never nearer than the nearest facet: out of reach is out of the window.
   if (best.facet < 0 || distance > reach) return std::nullopt;
+  if (projection_ == Projection::orthogonal) {
+    const auto projected = find_orthogonal(x, window);
+    if (!projected || projected->gap > band || projected->gap < -depth) return std::nullopt;
+    return projected;
+  }
   FootPoint foot =
       keeps_facet_normals_ ? locate_facet_normal(x, best.facet) : locate(x, best.facet, distance);
   hint.facet = foot.facet;
@@ -156,7 +164,7 @@ FootPoint MeshSurface::locate(const Vec3& x, int nearest, double distance) const
   int facet = nearest;
   int previous = -1;
   for (int step = 0; step < kLongestWalk; ++step) {
-    const PrismPoint place = locate_in_prism(prisms_[at(facet)], x);
+    const PrismPoint place = locate_in(facet, x);
     if (!place.is_valid) break;
     if (place.smallest() >= -kEps) return finish_in_prism(x, facet, place);
     // Cross the edge that is missed most; a rim only counts when nothing else is left.
@@ -194,7 +202,7 @@ FootPoint MeshSurface::finish_in_prism(const Vec3& x, int facet, const PrismPoin
         for (int i = topology_.ring_start[at(p)]; i < topology_.ring_start[at(p + 1)]; ++i) {
           const int other = topology_.ring[at(i)];
           if (other >= owner) break;
-          const PrismPoint there = locate_in_prism(prisms_[at(other)], x);
+          const PrismPoint there = locate_in(other, x);
           if (!there.is_valid || there.smallest() < -kEps) continue;
           if (std::abs(there.g - place.g) > 1e-6 * size_) continue;
           owner = other;
@@ -203,34 +211,9 @@ FootPoint MeshSurface::finish_in_prism(const Vec3& x, int facet, const PrismPoin
       }
     }
   }
-  FootPoint foot = make_foot_point(prisms_[at(owner)], owner_place, x);
+  FootPoint foot = make_foot(owner, owner_place, x);
   foot.facet = owner;
   return foot;
-}
-
-FootPoint MeshSurface::locate_facet_normal(const Vec3& x, int nearest) const {
-  const Prism& prism = prisms_[at(nearest)];
-  const ClosestPoint closest = find_closest_point(x, prism.corner(0), prism.corner(1), prism.corner(2));
-  FootPoint foot;
-  foot.point = closest.point;
-  foot.normal = foot.gap_gradient = prism.normal;  // (4.1): jumps from facet to facet
-  foot.gap = prism.normal.dot(x - closest.point);
-  foot.facet = nearest;
-  for (int k = 0; k < 3; ++k) {
-    const bool is_on_edge = closest.weights[k] <= 0.0;
-    if (!is_on_edge || next_[at(nearest)][at(k)] >= 0) continue;
-    foot.beyond_edge = (x - closest.point - foot.gap * foot.normal).norm();
-  }
-  return foot;
-}
-
-std::vector<int> MeshSurface::list_prisms_at(const Vec3& x, double reach) const {
-  std::vector<int> facets;
-  for (int f = 0; f < static_cast<int>(prisms_.size()); ++f) {
-    const PrismPoint place = locate_in_prism(prisms_[at(f)], x);
-    if (place.is_valid && place.smallest() >= -kEps && std::abs(place.g) <= reach) facets.push_back(f);
-  }
-  return facets;
 }
 
 }  // namespace hydroscope

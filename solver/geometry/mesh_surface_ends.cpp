@@ -67,7 +67,7 @@ std::optional<FootPoint> MeshSurface::find_any_prism(const Vec3& x, double radiu
   int facet = -1;
   PrismPoint best;
   search_->visit_within(x, radius, [&](int f) {
-    const PrismPoint place = locate_in_prism(prisms_[at(f)], x);
+    const PrismPoint place = locate_in(f, x);
     if (!place.is_valid || place.smallest() < -kEps || std::abs(place.g) > radius) return;
     const double nearer = std::abs(place.g) - std::abs(best.g);
     if (facet >= 0 && (nearer > 0.0 || (nearer == 0.0 && f > facet))) return;

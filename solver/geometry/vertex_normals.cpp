@@ -12,26 +12,44 @@ namespace {
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
+/// What a corner of an element adds to the normal of its node: `e1`, `e2` its edges, counter-clockwise,
+/// `area` that of the element [mm^2].
+Vec3 weigh_corner(const Vec3& e1, const Vec3& e2, double area, NormalRule rule) {
+  const Vec3 cross = e1.cross(e2);
+  const double size = cross.norm();
+  switch (rule) {
+    case NormalRule::facet:
+    case NormalRule::plain:
+      return cross / size;  // (4.3)
+    case NormalRule::area:
+      return area * cross / size;  // (4.4)
+    case NormalRule::angle:
+      return std::atan2(size, e1.dot(e2)) * cross / size;
+    case NormalRule::max:
+      return cross / (e1.squaredNorm() * e2.squaredNorm());
+  }
+  return cross;
+}
+
 /// What corner `k` of a facet adds to the normal of its node.
 Vec3 calc_share(const TriangleMesh& mesh, int facet, int k, NormalRule rule) {
   const auto& t = mesh.triangles[at(facet)];
   const Vec3& origin = mesh.points[at(t[at(k)])];
   const Vec3 e1 = mesh.points[at(t[at((k + 1) % 3)])] - origin;
   const Vec3 e2 = mesh.points[at(t[at((k + 2) % 3)])] - origin;
-  const Vec3 area = e1.cross(e2);
-  const double size = area.norm();
-  switch (rule) {
-    case NormalRule::facet:
-    case NormalRule::plain:
-      return area / size;  // (4.3)
-    case NormalRule::area:
-      return 0.5 * area;  // (4.4)
-    case NormalRule::angle:
-      return std::atan2(size, e1.dot(e2)) * area / size;
-    case NormalRule::max:
-      return area / (e1.squaredNorm() * e2.squaredNorm());
-  }
-  return area;
+  if (rule == NormalRule::area) return 0.5 * e1.cross(e2);  // (4.4), to the last bit the same for all corners
+  return weigh_corner(e1, e2, 0.0, rule);
+}
+
+/// The same of the quad that the facet is half of. Where both halves meet, each adds a half of it.
+Vec3 calc_quad_share(const TriangleMesh& mesh, const QuadCover& cover, int facet, int k, NormalRule rule) {
+  const QuadHalf& half = cover.halves[at(facet)];
+  const auto& quad = cover.quads[at(half.quad)];
+  const auto x = [&](int corner) { return mesh.points[at(quad[at(corner % 4)])]; };
+  const int corner = half.corner[at(k)];
+  const double area = 0.5 * (x(2) - x(0)).cross(x(3) - x(1)).norm();
+  const Vec3 share = weigh_corner(x(corner + 1) - x(corner), x(corner + 3) - x(corner), area, rule);
+  return corner % 2 == 0 ? Vec3(0.5 * share) : share;
 }
 
 int find_corner(const TriangleMesh& mesh, int facet, int point) {
@@ -46,8 +64,11 @@ struct Fan {
   const std::vector<Vec3>& facet_normals;
   NormalRule rule;
   double crease_angle;
+  const QuadCover& cover;
 
+  bool is_half(int facet) const { return !cover.halves.empty() && cover.halves[at(facet)].quad >= 0; }
   bool is_joined(int facet, int edge) const {
+    if (is_half(facet) && cover.halves[at(facet)].corner[at(edge)] % 2 == 1) return true;  // the diagonal
     return rule != NormalRule::facet && topology.sides[at(facet)][at(edge)].facet >= 0 &&
            !is_crease(topology, facet_normals, facet, edge, crease_angle);
   }
@@ -71,7 +92,11 @@ void spread_normal(const Fan& fan, int seed, int point, CornerNormals& result) {
   }
   std::sort(group.begin(), group.end());  // the sum must not depend on the way around
   Vec3 sum = Vec3::Zero();
-  for (int f : group) sum += calc_share(fan.mesh, f, find_corner(fan.mesh, f, point), fan.rule);
+  for (int f : group) {
+    const int k = find_corner(fan.mesh, f, point);
+    sum += fan.is_half(f) ? calc_quad_share(fan.mesh, fan.cover, f, k, fan.rule)
+                          : calc_share(fan.mesh, f, k, fan.rule);
+  }
   const double size = sum.norm();
   result.normals.push_back(size > 0.0 ? Vec3(sum / size) : fan.facet_normals[at(seed)]);
   result.points.push_back(point);
@@ -99,9 +124,9 @@ bool is_crease(const MeshTopology& topology, const std::vector<Vec3>& facet_norm
 }
 
 CornerNormals calc_corner_normals(const TriangleMesh& mesh, const MeshTopology& topology, NormalRule rule,
-                                  double crease_angle) {
+                                  double crease_angle, const QuadCover& cover) {
   const std::vector<Vec3> facet_normals = calc_facet_normals(mesh);
-  const Fan fan{mesh, topology, facet_normals, rule, crease_angle};
+  const Fan fan{mesh, topology, facet_normals, rule, crease_angle, cover};
   CornerNormals result;
   result.corners.assign(mesh.triangles.size(), {-1, -1, -1});
   for (int point = 0; point < static_cast<int>(mesh.points.size()); ++point) {

@@ -7,6 +7,7 @@
 
 #include "solver/base/types.h"
 #include "solver/geometry/mesh_topology.h"
+#include "solver/geometry/quad_prism.h"
 
 namespace hydroscope {
 
@@ -30,9 +31,10 @@ struct CornerNormals {
   std::vector<std::array<int, 3>> corners;  // index into `normals` for each corner of each facet
 };
 
-/// `crease_angle` [rad]: normals are not averaged over an edge whose facets differ by more.
+/// `crease_angle` [rad]: normals are not averaged over an edge whose facets differ by more. A quadrilateral
+/// of `cover` counts as one element with a normal at each of its vertices (4.1); its diagonal is no edge.
 CornerNormals calc_corner_normals(const TriangleMesh& mesh, const MeshTopology& topology, NormalRule rule,
-                                  double crease_angle);
+                                  double crease_angle, const QuadCover& cover = {});
 
 /// True when edge `edge` of `facet` parts the normals: sharper than `crease_angle` [rad],
 /// or its facets face opposite ways.
