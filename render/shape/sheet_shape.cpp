@@ -32,6 +32,7 @@ class WallBuilder {
   }
   int kind(int node) const {
     if (paint_ == nullptr) return 0;
+    if (!paint_->colours.empty()) return node;
     if (!paint_->classes.empty()) return static_cast<int>(paint_->classes[at(node)]);
     return std::isfinite(paint_->values[at(node)]) ? 0 : 1;
   }
@@ -53,6 +54,8 @@ class WallBuilder {
 int WallBuilder::add_vertex(const Vec3& x, const Vec3& n, int painted_as) {
   if (paint_ != nullptr && !paint_->classes.empty())
     surface_.colours.push_back(class_colour(paint_->classes[at(painted_as)]));
+  if (paint_ != nullptr && !paint_->colours.empty())
+    surface_.colours.push_back(paint_->colours[at(painted_as)]);
   if (paint_ != nullptr && !paint_->values.empty())
     surface_.values.push_back(static_cast<float>(paint_->values[at(painted_as)]));
   return surface_.add_point(x, n);
@@ -200,8 +203,10 @@ std::vector<Vec3> SheetShape::calc_normals(const Snapshot& snapshot) const {
 Surface SheetShape::make_wall(const Snapshot& snapshot, const std::optional<NodePaint>& paint) const {
   check_snapshot(snapshot);
   if (paint) {
-    const std::size_t given = paint->values.size() + paint->classes.size();
-    require(given == snapshot.points.size() && (paint->values.empty() || paint->classes.empty()),
+    const std::size_t nodes = snapshot.points.size();
+    const std::array<std::size_t, 3> given{paint->values.size(), paint->classes.size(),
+                                           paint->colours.size()};
+    require(std::count(given.begin(), given.end(), nodes) >= 1 && given[0] + given[1] + given[2] == nodes,
             "one colour a node");
   }
   const std::vector<Vec3> normals = calc_normals(snapshot);

@@ -11,10 +11,11 @@
 
 namespace hydroscope {
 
-/// How the sheet's nodes are painted: exactly one of the two has an entry a node.
+/// How the sheet's nodes are painted: exactly one of the three has an entry a node.
 struct NodePaint {
   std::vector<double> values;         ///< a field; NaN where it has no value
   std::vector<ContactClass> classes;  ///< categories: each node owns a quarter of its quads
+  std::vector<Rgb> colours{};         ///< each node in a colour of its own, on a quarter of its quads
 };
 
 /// What stays the same about the drawn sheet during a sequence.

@@ -84,7 +84,7 @@ TEST_F(Sequence, SidecarsCountTheSolversNodesAndSumItsForces) {
   Vec3 sum = Vec3::Zero();
   for (const Vec3& force : snapshot->contact_force) sum += force;
   double x = 0.0;
-  ASSERT_EQ(std::sscanf(find_value(json, "contact_force_sum_N").c_str(), "[%lf", &x), 1);
+  ASSERT_EQ(std::sscanf(find_value(json, "contact_N").c_str(), "[%lf", &x), 1);
   EXPECT_EQ(x, sum.x());
 }
 
