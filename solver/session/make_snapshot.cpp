@@ -52,15 +52,32 @@ void add_contact(const Model& model, const State& state, std::size_t t, std::siz
   s.slip_increment[i] = c.slip_increment;
 }
 
+/// The part of a force along the directions in which a node is held: what is left
+/// of a reaction across them is out of balance, and no support bears it.
+Vec3 calc_borne(const std::vector<Support>& supports, const Vec3& force) {
+  Vec3 borne = Vec3::Zero();
+  std::vector<Vec3> axes;
+  for (const Support& support : supports) {
+    if (support.kind == Support::Kind::kClamp) continue;
+    Vec3 axis = support.direction;
+    for (const Vec3& other : axes) axis -= other.dot(axis) * other;
+    if (axis.norm() < 1e-9) continue;
+    axes.push_back(axis.normalized());
+    borne += axes.back().dot(force) * axes.back();
+  }
+  return borne;
+}
+
 /// What holds and loads the sheet beside fluid and tools.
 std::vector<Vec3> calc_support_force(const Model& model, const State& state) {
   Trial trial;
   trial.configuration = state.configuration;
   trial.other_load = Vector::Zero(static_cast<Eigen::Index>(kDofs * model.x0.size()));
   evaluate_edge_loads(model, {.time = state.time, .pressure = state.pressure}, trial);
-  std::vector<Vec3> forces = state.reaction;
-  for (std::size_t i = 0; i < forces.size(); ++i)
-    forces[i] += trial.other_load.segment<3>(static_cast<Eigen::Index>(kDofs * i));
+  std::vector<Vec3> forces;
+  for (std::size_t i = 0; i < model.x0.size(); ++i)
+    forces.push_back(calc_borne(model.supports[i], state.reaction[i]) +
+                     trial.other_load.segment<3>(static_cast<Eigen::Index>(kDofs * i)));
   return forces;
 }
 
