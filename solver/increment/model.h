@@ -38,7 +38,8 @@ struct Quantity {
   std::vector<int> nodes;       ///< interpolation points, or the patch
   std::vector<double> weights;  ///< of `nodes`
   int tool = -1;
-  std::vector<int> of;  ///< indices of other quantities
+  std::vector<int> of;        ///< indices of other quantities
+  std::vector<int> elements;  ///< over which it is averaged
 };
 
 /// Everything about an analysis that does not change while it runs.

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "solver/increment/contact_step.h"
+#include "solver/increment/edge_load.h"
 #include "solver/increment/measures.h"
 
 namespace hydroscope {
@@ -51,10 +52,46 @@ double sum_contact_force(const Model& model, const State& state, const Quantity&
   return sum / model.slice_width;
 }
 
+/// What pulls at an edge, per width: the reactions of its supports and the line loads on it [N/mm].
 double sum_edge_force(const Model& model, const State& state, const Quantity& q) {
   Vec3 sum = Vec3::Zero();
   for (const int i : q.nodes) sum += state.reaction[static_cast<std::size_t>(i)];
+  for (const EdgeLoad& load : model.edge_loads) {
+    for (std::size_t k = 0; k < load.nodes.size(); ++k) {
+      if (std::find(q.nodes.begin(), q.nodes.end(), load.nodes[k]) == q.nodes.end()) continue;
+      sum += calc_edge_load(load, k, state.configuration, state.time);
+    }
+  }
   return sum.norm() / model.slice_width;
+}
+
+/// Bending moment per width at a Gauss point, of the stress along base vector g_1, positive when it
+/// pulls at the outer face: the integral of sigma z dz over the wall [N].
+double calc_bending_moment(const Model& model, const State& state, std::size_t element, std::size_t gauss) {
+  const ThicknessRule& rule = model.law.rule;
+  const auto n_z = static_cast<std::size_t>(rule.size());
+  const LayerState* layers = &state.layers[(element * kGaussPoints + gauss) * n_z];
+  double h = 0.0, sum = 0.0;
+  for (const int i : model.quads[element])
+    h += 0.25 * state.configuration.thickness[static_cast<std::size_t>(i)];
+  for (std::size_t k = 0; k < n_z; ++k) {
+    // The material frame stands at `angle` from g_1.
+    const double c = std::cos(layers[k].angle), s = std::sin(layers[k].angle);
+    const Vec3& sigma = layers[k].point.stress;
+    const double along = c * c * sigma[0] + s * s * sigma[1] - 2.0 * c * s * sigma[2];
+    sum += rule.weight[k] * rule.zeta[k] * along;
+  }
+  return 0.5 * h * h * sum;
+}
+
+double average_bending_moment(const Model& model, const State& state, const Quantity& q) {
+  double sum = 0.0;
+  for (const int e : q.elements) {
+    for (std::size_t g = 0; g < kGaussPoints; ++g) {
+      sum += calc_bending_moment(model, state, static_cast<std::size_t>(e), g);
+    }
+  }
+  return sum / (kGaussPoints * static_cast<double>(q.elements.size()));
 }
 
 /// Highest smoothed pressure of any tool at a node [MPa].
@@ -88,6 +125,7 @@ double evaluate_quantity(const Model& model, const State& state, const Quantity&
   }
   if (kind == "contact_force") return sum_contact_force(model, state, q);
   if (kind == "bend_radius") return fit_circle(state, q.nodes);
+  if (kind == "bending_moment") return average_bending_moment(model, state, q);
   if (kind == "edge_force") return sum_edge_force(model, state, q);
   if (kind == "volume") return state.volume;
   const auto value = [&](std::size_t k) { return before[static_cast<std::size_t>(q.of[k])]; };

@@ -123,17 +123,17 @@ struct ContactScene {      // [contact]
   std::string curvature = "symmetric";  // curvature: none | symmetric (K_C)
 };
 
-struct IncrementScene {              // [increment]
-  double initial = 0.0;              // initial_s: 0 = 1/100 of the whole time
-  double smallest = 1e-6;            // smallest: floor, fraction of the whole time
-  double largest = 0.02;             // largest: fraction of the whole time
-  double max_strain = 0.02;          // max_strain: largest strain increment
-  double max_rotation = 3.0;         // max_rotation_deg
-  double max_slide = 1.0;            // max_slide: sliding in tool facets or sheet elements
-  double max_penetration = 0.2;      // max_penetration: by which free nodes may overshoot a tool before the
-                                     // corrector, of the thickness
-  double tolerance = 1e-3;           // tolerance: out-of-balance force against the reference force
-  int max_iterations = 12;           // max_iterations
+struct IncrementScene {          // [increment]
+  double initial = 0.0;          // initial_s: 0 = 1/100 of the whole time
+  double smallest = 1e-6;        // smallest: floor, fraction of the whole time
+  double largest = 0.02;         // largest: fraction of the whole time
+  double max_strain = 0.02;      // max_strain: largest strain increment
+  double max_rotation = 3.0;     // max_rotation_deg
+  double max_slide = 1.0;        // max_slide: sliding in tool facets or sheet elements
+  double max_penetration = 0.2;  // max_penetration: by which free nodes may overshoot a tool before the
+                                 // corrector, of the thickness
+  double tolerance = 1e-3;       // tolerance: out-of-balance force against the reference force
+  int max_iterations = 12;       // max_iterations
 };
 
 struct LimitsScene {                 // [limits]
@@ -146,13 +146,14 @@ struct LimitsScene {                 // [limits]
 /// One number a history row. Which keys count depends on `kind`.
 struct QuantityScene {  // [quantity.NAME]
   std::string kind;  // thickness | radius | corner_radius | contact_pressure | contact_force | bend_radius |
-                     // edge_force | volume | sum | ratio
-  double angle = 0.0;        // angle_deg: where around the tube (nearest interpolation)
-  double z = 0.0;            // z_mm
-  double position = 0.0;     // position: 0..1 along a strip
-  std::string face = "mid";  // mid | outer | inner (radius)
-  double half_width = 0.0;   // half_width_mm: corner_radius = (sqrt2 a - d)/(sqrt2 - 1), outer face
-  std::string tool;          // tool: contact_force
+                     // bending_moment | edge_force | volume | sum | ratio
+  double angle = 0.0;                          // angle_deg: where around the tube (nearest interpolation)
+  double z = 0.0;                              // z_mm
+  double position = 0.0;                       // position: 0..1 along a strip
+  std::array<double, 2> position_range{0, 1};  // position_range: bend_radius, bending_moment
+  std::string face = "mid";                    // mid | outer | inner (radius)
+  double half_width = 0.0;  // half_width_mm: corner_radius = (sqrt2 a - d)/(sqrt2 - 1), outer face
+  std::string tool;         // tool: contact_force
   std::array<double, 2> range{0, 360};  // angle_range_deg: contact_force; per mm of modelled length
   std::string edge = "end";             // edge: start | end (edge_force)
   std::vector<std::string> of;          // of: names (sum, ratio)

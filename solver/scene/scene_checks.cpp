@@ -198,7 +198,7 @@ void check_quantity_names(const GivenKeys& given, const Scene& scene) {
 void check_quantity_sheet(const GivenKeys& given, const Scene& scene) {
   const bool is_strip = scene.sheet == "strip";
   static const std::set<std::string> tube_only = {"radius", "corner_radius", "volume"},
-                                     strip_only = {"bend_radius", "edge_force"};
+                                     strip_only = {"bend_radius", "bending_moment", "edge_force"};
   for (const auto& [name, quantity] : scene.quantities) {
     const std::string path = "quantity." + name + ".";
     if (is_strip && tube_only.count(quantity.kind) > 0)

@@ -441,7 +441,7 @@ SceneTable make_quantity() {
           {
               key<&T::kind>("kind", "", "What is measured; `sum` and `ratio` combine other quantities.")
                   .one_of({"thickness", "radius", "corner_radius", "contact_pressure", "contact_force",
-                           "bend_radius", "edge_force", "volume", "sum", "ratio"})
+                           "bend_radius", "bending_moment", "edge_force", "volume", "sum", "ratio"})
                   .required(),
               key<&T::angle>("angle_deg", "deg",
                              "Where around the tube, from +x (`corner_radius`: 45 if not given).")
@@ -450,7 +450,11 @@ SceneTable make_quantity() {
               key<&T::z>("z_mm", "mm", "Where along the tube.").in(-1e5, 1e5).when("kind", placed),
               key<&T::position>("position", "", "Where along the strip, from 0 at its start to 1 at its end.")
                   .in(0, 1)
-                  .when("kind", {"thickness", "contact_pressure", "bend_radius"}),
+                  .when("kind", {"thickness", "contact_pressure"}),
+              key<&T::position_range>("position_range", "",
+                                      "Part of the strip for the fitted circle, or for the mean moment.")
+                  .in(0, 1)
+                  .when("kind", {"bend_radius", "bending_moment"}),
               key<&T::face>("face", "", "Surface whose distance from the axis counts.")
                   .one_of({"mid", "outer", "inner"})
                   .when("kind", {"radius"}),
@@ -466,7 +470,7 @@ SceneTable make_quantity() {
               key<&T::range>("angle_range_deg", "deg", "Part of the section over which it is summed.")
                   .in(-360, 360)
                   .when("kind", {"contact_force"}),
-              key<&T::edge>("edge", "", "End of the strip.")
+              key<&T::edge>("edge", "", "End of the strip: supports and loads, per mm of width.")
                   .one_of({"start", "end"})
                   .when("kind", {"edge_force"}),
               key<&T::of>("of", "", "Names of the quantities that it combines (`ratio`: first over second).")

@@ -51,6 +51,15 @@ void locate_patch(const SheetMesh& sheet, double from, double to, Quantity& q) {
   }
 }
 
+/// Elements of a strip whose middle lies in a part of its length.
+void locate_elements(const SheetMesh& sheet, double from, double to, Quantity& q) {
+  for (int i = 0; i + 1 < sheet.n_around; ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    const double middle = 0.5 * (sheet.positions[k] + sheet.positions[k + 1]);
+    if (middle >= from && middle <= to) q.elements.push_back(i);  // one row of them along z
+  }
+}
+
 int find_tool(const Scene& scene, const std::string& name, const Model& model, const std::string& tool) {
   for (std::size_t t = 0; t < model.tools.size(); ++t) {
     if (model.tools[t].name == tool) return static_cast<int>(t);
@@ -86,8 +95,11 @@ void resolve_place(const Scene& scene, const SheetMesh& sheet, const Model& mode
   } else if (s.kind == "edge_force") {
     q.nodes = s.edge == "start" ? sheet.start_nodes : sheet.end_nodes;
   } else if (s.kind == "bend_radius") {
-    locate_patch(sheet, s.position - 0.1, s.position + 0.1, q);
-    if (q.nodes.size() < 6) refuse(scene, q.name, "fewer than three node rows lie within position +- 0.1");
+    locate_patch(sheet, s.position_range[0], s.position_range[1], q);
+    if (q.nodes.size() < 6) refuse(scene, q.name, "fewer than three node rows lie in its position_range");
+  } else if (s.kind == "bending_moment") {
+    locate_elements(sheet, s.position_range[0], s.position_range[1], q);
+    if (q.elements.empty()) refuse(scene, q.name, "the middle of no element lies in its position_range");
   } else {
     locate_point(sheet, scene.sheet == "strip" ? s.position : s.angle, s.z, q);
   }
@@ -108,7 +120,7 @@ void resolve_quantities(const Scene& scene, const SheetMesh& sheet, Model& model
       waiting.push_back(name);
       continue;
     }
-    Quantity quantity{name, q, {}, {}, -1, {}};
+    Quantity quantity{name, q, {}, {}, -1, {}, {}};
     resolve_place(scene, sheet, model, quantity);
     model.quantities.push_back(quantity);
   }
@@ -118,7 +130,7 @@ void resolve_quantities(const Scene& scene, const SheetMesh& sheet, Model& model
       return std::all_of(of.begin(), of.end(), [&](const std::string& n) { return find(n) >= 0; });
     });
     if (ready == waiting.end()) refuse(scene, waiting.front(), "refers to itself in a circle");
-    Quantity quantity{*ready, scene.quantities.at(*ready), {}, {}, -1, {}};
+    Quantity quantity{*ready, scene.quantities.at(*ready), {}, {}, -1, {}, {}};
     for (const std::string& n : quantity.scene.of) quantity.of.push_back(find(n));
     model.quantities.push_back(quantity);
     waiting.erase(ready);
