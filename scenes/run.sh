@@ -35,9 +35,10 @@ install_packages
 mkdir -p build
 build_release hydroscope hydroscope_make_dies
 
-# Die meshes are made by a program of the project, not kept in it.
+# Die meshes are made by a program of the project, not kept in it; those of an older one are made again.
+maker=build/release/scenes/generators/hydroscope_make_dies
 sed -n 's/^ *file *= *"\(.*\)\.stl".*/\1/p' "$scene" | while read -r die; do
-  [ -f "scenes/$die.stl" ] || build/release/scenes/generators/hydroscope_make_dies "scenes/$(dirname "$die")" "$(basename "$die")"
+  [ "scenes/$die.stl" -nt "$maker" ] || "$maker" "scenes/$(dirname "$die")" "$(basename "$die")"
 done
 
 # --force: results of an earlier run of the scene are replaced.

@@ -40,9 +40,9 @@ struct SquareBulgeDie {
 
 /// Part of a round punch about the z axis, the sheet outside, |z| <= length / 2.
 struct Punch {
-  double radius = 14.25;     ///< [mm]: bends a sheet of 1.5 mm to a mid-surface radius of 15
-  double start = 0.0;        ///< [deg] from the x axis
-  double end = 180.0;        ///< [deg]
+  double radius = 29.25;     ///< [mm]: bends a sheet of 1.5 mm to a mid-surface radius of 30
+  double start = 180.0;      ///< [deg] from the x axis
+  double end = 360.0;        ///< [deg]
   double length = 20.0;      ///< [mm]
   double facet_angle = 3.0;  ///< [deg], at most
   double row = 2.0;          ///< [mm]

@@ -213,6 +213,7 @@ TEST(PunchMesh, IsSoundAndConvex) {
     EXPECT_GT(normals[f].dot(Vec3(p.x(), p.y(), 0)), 0.0);
   }
   Punch whole;
+  whole.start = 0.0;
   whole.end = 360.0;
   expect_sound(make_punch(whole), 3.0 + 1e-9, 2);
 }

@@ -26,11 +26,21 @@ History record(const Scene& scene, int threads) {
   History history;
   RunObserver observer;
   observer.on_increment = [&](const IncrementReport& report) { history.rows.push_back(report); };
+  observer.on_snapshot = [&](std::shared_ptr<const Snapshot> snapshot, bool for_state, bool) {
+    if (for_state) history.states.push_back(snapshot);
+  };
   history.summary = run.run(observer);
   return history;
 }
 
 }  // namespace
+
+const Snapshot& History::state_at(double time) const {
+  for (const auto& state : states) {
+    if (std::abs(state->time - time) < 1e-9 * std::max(1.0, time)) return *state;
+  }
+  throw std::invalid_argument("no state was kept at " + std::to_string(time) + " s");
+}
 
 std::vector<double> History::column(const std::string& name) const {
   std::vector<double> values;

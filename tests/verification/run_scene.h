@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "solver/increment/report.h"
 #include "solver/scene/scene.h"
 #include "solver/session/run.h"
+#include "solver/snapshot/snapshot.h"
 
 namespace hydroscope::verification {
 
@@ -14,6 +16,10 @@ namespace hydroscope::verification {
 struct History {
   std::vector<IncrementReport> rows;
   RunSummary summary;
+  std::vector<std::shared_ptr<const Snapshot>> states;  ///< those that the scene keeps, first and last too
+
+  /// The state kept at a time [s].
+  const Snapshot& state_at(double time) const;
 
   /// Column of a quantity of the scene, or "pressure" or "time".
   std::vector<double> column(const std::string& name) const;
