@@ -50,6 +50,7 @@ class MeshSurface final : public ToolSurface {
   /// Points on creases are repeated, one for each of their normals; facets keep their numbers.
   const TriangleMesh& display_mesh() const override { return display_mesh_; }
   const std::vector<Vec3>& display_normals() const override { return normals_; }
+  std::vector<int> list_parts() const override { return find_parts(topology_); }
 
   int crease_edges() const { return crease_edges_; }
   const MeshTopology& topology() const { return topology_; }

@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "solver/base/types.h"
 
@@ -49,6 +50,9 @@ class ToolSurface {
   virtual const TriangleMesh& display_mesh() const = 0;
   /// One unit normal a node of `display_mesh()`, as used by contact.
   virtual const std::vector<Vec3>& display_normals() const = 0;
+
+  /// Number of the connected part of each facet, from 0; empty: all is one.
+  virtual std::vector<int> list_parts() const { return {}; }
 };
 
 }  // namespace hydroscope
