@@ -74,6 +74,47 @@ CommandSyntax make_render() {
   return render;
 }
 
+CommandSyntax make_check() {
+  CommandSyntax check;
+  check.name = "check";
+  check.operands = {"DIR"};
+  check.operand_files = "/";
+  check.summary = "Compare saved states with an approved sequence.";
+  check.options = {
+      {"--baseline", "", "BASE", "Folder of the approved sequence.", false, {}},
+      {"--update", "", "", "Approve: make BASE anew from DIR, and say what changes.", false, {}},
+      {"--report",
+       "",
+       "OUT",
+       "Folder for junit.xml, index.html and pictures (default: DIR/check).",
+       false,
+       {}},
+      {"--pictures", "", "N", "With --update: pictures kept of each view (default 6).", false, {}},
+      {"--views", "", "A,B", "With --update: sequences to compare.", false, kViews},
+      {"--size", "", "WxH", "With --update: pixels of a picture (default 480x270).", false, {}},
+      {"--camera",
+       "",
+       "HOW",
+       "With --update: fixed, orbit, or look-at:NODE.",
+       false,
+       {"fixed", "orbit", "look-at:"}},
+      {"--theme", "", "NAME", "With --update: light or dark.", false, {"light", "dark"}},
+      kSet,
+  };
+  check.details =
+      "DIR is the folder of a run, or its folder of states. All is drawn anew from the saved states; "
+      "compared "
+      "are\nthe sequence, the numbers of each frame, the forces of each state, contact classes as drawn and "
+      "as "
+      "solved,\nand pictures. Exit code 0: as approved; 1: different, see OUT/index.html; 5: nothing can be "
+      "drawn "
+      "here.\n"
+      "\nexamples:\n  hydroscope check results/mu01 --baseline approved/mu01 --update\n"
+      "  hydroscope check results/mu01 --baseline approved/mu01\n"
+      "\nLimits, and use in a continuous integration: docs/rendering_checks.md\n";
+  return check;
+}
+
 CommandSyntax make_tool() {
   CommandSyntax tool;
   tool.name = "tool";
@@ -96,6 +137,7 @@ const std::vector<CommandSyntax>& command_syntaxes() {
   static const std::vector<CommandSyntax> commands = {
       make_run(),
       make_render(),
+      make_check(),
       make_tool(),
       {"reference", {}, "", "Print the documentation of all scene keys (Markdown).", "", {}, {}},
       {"completion",

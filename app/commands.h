@@ -13,6 +13,8 @@ namespace hydroscope {
 ExitCode run_scene(const Arguments& arguments);
 /// Draws saved states again.
 ExitCode render_results(const Arguments& arguments);
+/// Compares saved states with an approved sequence.
+ExitCode check_results(const Arguments& arguments);
 /// Reports on a tool mesh and draws it.
 ExitCode inspect_tool_mesh(const Arguments& arguments);
 

@@ -4,6 +4,8 @@
 #include <sstream>
 
 #include "solver/base/error.h"
+#include "solver/base/whole_file.h"
+#include "solver/scene/scene_reader.h"
 
 namespace hydroscope {
 namespace {
@@ -17,7 +19,28 @@ std::string make_list(const std::string& comma_separated) {
   return "[" + list + "]";
 }
 
+/// The run's own overrides first, so that those of today have the last word.
+std::vector<SceneOverride> gather_overrides(const ResultFolder& folder, const Arguments& arguments) {
+  std::vector<SceneOverride> overrides;
+  std::istringstream lines(read_whole_file(folder.overrides()));
+  for (std::string line; std::getline(lines, line);) {
+    if (!line.empty()) overrides.push_back(make_override(line));
+  }
+  for (SceneOverride& item : make_overrides(arguments)) {
+    if (!item.key.starts_with("frames.")) {
+      throw InputError(item.shown + ": the run is over; only keys of [frames] can be changed here");
+    }
+    overrides.push_back(std::move(item));
+  }
+  return overrides;
+}
+
 }  // namespace
+
+FramesScene read_frames_scene(const ResultFolder& folder, const Arguments& arguments) {
+  const std::vector<SceneOverride> overrides = gather_overrides(folder, arguments);
+  return parse_scene(read_whole_file(folder.scene()), folder.scene().string(), overrides).frames;
+}
 
 std::array<int, 2> parse_size(const std::string& option, const std::string& text) {
   const size_t cross = text.find('x');

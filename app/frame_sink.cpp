@@ -7,7 +7,6 @@
 #include "render/offscreen_context.h"
 
 namespace hydroscope {
-namespace {
 
 FrameOptions make_frame_options(const FramesScene& frames, int rasteriser_threads) {
   FrameOptions options;
@@ -29,9 +28,7 @@ FrameOptions make_frame_options(const FramesScene& frames, int rasteriser_thread
   return options;
 }
 
-}  // namespace
-
-void check_renderer() { describe_renderer(); }
+std::string check_renderer() { return describe_renderer(); }
 
 FrameSink make_frame_sink(const FrameJob& job, Progress& progress) {
   FrameOptions options = make_frame_options(job.frames, job.rasteriser_threads);

@@ -2,12 +2,15 @@
 #pragma once
 
 #include "app/record_run.h"
+#include "render/frame_options.h"
 #include "solver/scene/scene.h"
 
 namespace hydroscope {
 
-/// Draws a test picture; throws EnvironmentError when frames cannot be drawn here.
-void check_renderer();
+/// Draws a test picture and names the renderer; throws EnvironmentError when frames cannot be drawn here.
+std::string check_renderer();
+
+FrameOptions make_frame_options(const FramesScene& frames, int rasteriser_threads);
 
 /// Frames of a run, or of its saved states.
 struct FrameJob {

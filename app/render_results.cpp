@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <cstdio>
-#include <sstream>
 #include <thread>
 
 #include "app/commands.h"
@@ -10,26 +9,9 @@
 #include "app/interrupt.h"
 #include "app/results/state_file.h"
 #include "solver/base/error.h"
-#include "solver/scene/scene_reader.h"
 
 namespace hydroscope {
 namespace {
-
-/// The run's own overrides first, so that those of today have the last word.
-std::vector<SceneOverride> gather_overrides(const ResultFolder& folder, const Arguments& arguments) {
-  std::vector<SceneOverride> overrides;
-  std::istringstream lines(read_whole_file(folder.overrides()));
-  for (std::string line; std::getline(lines, line);) {
-    if (!line.empty()) overrides.push_back(make_override(line));
-  }
-  for (SceneOverride& item : make_overrides(arguments)) {
-    if (!item.key.starts_with("frames.")) {
-      throw InputError(item.shown + ": the run is over; only keys of [frames] can be changed here");
-    }
-    overrides.push_back(std::move(item));
-  }
-  return overrides;
-}
 
 /// Evenly spread over what there is.
 std::vector<std::filesystem::path> pick_states(const std::vector<std::filesystem::path>& states, int number) {
@@ -48,19 +30,18 @@ std::vector<std::filesystem::path> pick_states(const std::vector<std::filesystem
 ExitCode render_results(const Arguments& arguments) {
   const ResultFolder folder{arguments.operands.front()};
   std::vector<std::filesystem::path> states = find_states(folder);
-  const std::vector<SceneOverride> overrides = gather_overrides(folder, arguments);
-  const Scene scene = parse_scene(read_whole_file(folder.scene()), folder.scene().string(), overrides);
-  if (scene.frames.views.empty()) throw InputError("no views to draw; name some with --views");
-  if (arguments.has("--frames")) states = pick_states(states, scene.frames.number);
+  const FramesScene settings = read_frames_scene(folder, arguments);
+  if (settings.views.empty()) throw InputError("no views to draw; name some with --views");
+  if (arguments.has("--frames")) states = pick_states(states, settings.number);
   const auto model = read_model(folder.path, states.front());
-  check_renderer();
+  const std::string renderer = check_renderer();
 
   const Interrupt interrupt;
-  remove_frames(folder, scene.frames.views);
+  remove_frames(folder, settings.views);
   Progress progress(stderr);
   const int threads = std::clamp(static_cast<int>(std::thread::hardware_concurrency()), 1, 8);
   const FrameSink frames =
-      make_frame_sink({scene.frames, folder, static_cast<int>(states.size()), threads}, progress);
+      make_frame_sink({settings, folder, static_cast<int>(states.size()), threads}, progress);
   int drawn = 0;
   for (const std::filesystem::path& state : states) {
     if (Interrupt::flag()) break;
@@ -69,7 +50,8 @@ ExitCode render_results(const Arguments& arguments) {
   }
   frames.finish();
   progress.finish();
-  for (const std::string& view : scene.frames.views) {
+  std::printf("renderer: %s\n", renderer.c_str());
+  for (const std::string& view : settings.views) {
     std::printf("%d frames:  %s\n", drawn, (folder.frames() / view / "00001.png ...").c_str());
   }
   return Interrupt::flag() ? ExitCode::kInterrupted : ExitCode::kDone;

@@ -59,10 +59,11 @@ RunRecord make_record(const Scene& scene, const std::vector<SceneOverride>& over
 }
 
 void describe_results(const ResultFolder& folder, const RecordedRun& run, const Scene& scene,
-                      bool has_frames) {
+                      const std::string& renderer) {
   std::printf("%s", describe_run(run, scene.end_time()).c_str());
   std::printf("results: %s\n", folder.path.c_str());
-  if (has_frames) {
+  if (!renderer.empty()) {
+    std::printf("renderer: %s\n", renderer.c_str());
     for (const std::string& view : scene.frames.views) {
       std::printf("frames:  %s\n", (folder.frames() / view / "00001.png ...").c_str());
     }
@@ -90,19 +91,19 @@ ExitCode run_scene(const Arguments& arguments) {
   Run run(scene, {threads, &stop});
   const bool has_frames = !arguments.has("--no-frames") && !scene.frames.views.empty();
   check_look_at_node(scene, run.snapshot_model());
-  if (has_frames) check_renderer();
-  const RunRecord record = make_record(scene, overrides, threads);
+  const std::string renderer = has_frames ? check_renderer() : "";
+  RunRecord record = make_record(scene, overrides, threads);
+  record.renderer = renderer;
 
   // All input is accepted: from here on there is a folder.
   const ResultFolder folder = make_result_folder(output, force);
-  RunWriter writer(folder, record, run.snapshot_model(),
-                   run.quantity_names());
+  RunWriter writer(folder, record, run.snapshot_model(), run.quantity_names());
   Progress progress(stderr);
   FrameSink frames;
   if (has_frames) frames = make_frame_sink({scene.frames, folder, estimate_frames(scene), 1}, progress);
   const RecordedRun recorded = record_run([&run](const RunObserver& observer) { return run.run(observer); },
                                           writer, frames, progress, stop);
-  describe_results(folder, recorded, scene, has_frames);
+  describe_results(folder, recorded, scene, renderer);
   return recorded.exit_code;
 }
 

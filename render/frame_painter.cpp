@@ -25,8 +25,7 @@ FramePainter::FramePainter(const FrameOptions& options)
               .is_flat = options.is_flat,
               .rasteriser_threads = options.rasteriser_threads}) {}
 
-Frame FramePainter::paint(const std::string& view, const Snapshot& snapshot, FrameNumber number,
-                          const std::map<std::string, Range>& ranges) {
+CameraPose FramePainter::prepare(const Snapshot& snapshot, FrameNumber number) {
   if (views_ == nullptr) {
     check_camera(options_, static_cast<int>(snapshot.points.size()));
     views_ = std::make_unique<Views>(snapshot, options_);
@@ -34,7 +33,18 @@ Frame FramePainter::paint(const std::string& view, const Snapshot& snapshot, Fra
   std::optional<Vec3> look_at;
   if (options_.camera == "look-at")
     look_at = snapshot.points.at(static_cast<std::size_t>(options_.look_at_node));
-  const CameraPose camera = calc_camera(options_, views_->bounds(), look_at, number.index, number.expected);
+  return calc_camera(options_, views_->bounds(), look_at, number.index, number.expected);
+}
+
+std::string FramePainter::describe(const std::string& view, const Snapshot& snapshot, FrameNumber number,
+                                   const std::map<std::string, Range>& ranges) {
+  check_snapshot(snapshot);
+  return make_sidecar({view, number, prepare(snapshot, number), ranges, {}}, snapshot, options_, info());
+}
+
+Frame FramePainter::paint(const std::string& view, const Snapshot& snapshot, FrameNumber number,
+                          const std::map<std::string, Range>& ranges) {
+  const CameraPose camera = prepare(snapshot, number);
   const DrawList list = views_->make_draw_list(view, snapshot, camera, ranges);
   const Theme& colours = theme(options_.theme);
   Frame frame;

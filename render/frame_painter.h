@@ -29,8 +29,14 @@ class FramePainter {
   /// The first snapshot fixes the camera's box, the arrows' nodes and the tools.
   Frame paint(const std::string& view, const Snapshot& snapshot, FrameNumber number,
               const std::map<std::string, Range>& ranges);
+  /// The sidecar alone, without drawing (and so without the lettering's boxes).
+  std::string describe(const std::string& view, const Snapshot& snapshot, FrameNumber number,
+                       const std::map<std::string, Range>& ranges);
 
  private:
+  /// Makes what the first snapshot fixes, and the camera of this frame.
+  CameraPose prepare(const Snapshot& snapshot, FrameNumber number);
+
   FrameOptions options_;
   Stage stage_;
   std::unique_ptr<Views> views_;

@@ -64,8 +64,13 @@ Image draw_probe(Stage& stage) {
   CameraPose pose;
   pose.position = Vec3(1.0, 2.0, 9.0);
   pose.scale = 1.5;
-  Image image = stage.draw(list, pose, theme("light"));
-  Canvas(image).text(4, 4, "0.123 [mm]", {.size = 14, .colour = {10, 10, 10}});
+  return stage.draw(list, pose, theme("light"));
+}
+
+Image draw_lettering() {
+  Image image = make_image(kWidth, kHeight, {255, 255, 255});
+  Canvas(image).text(4, 4, "Contact 0.123 [mm]", {.size = 14, .colour = {10, 10, 10}});
+  Canvas(image).text(4, 40, "Slip 45", {.size = 25, .colour = {10, 10, 10}, .is_bold = true});
   return image;
 }
 
@@ -82,7 +87,7 @@ std::string calc_hash(const Image& image) {
 
 RendererFingerprint calc_renderer_fingerprint() {
   Stage stage({.width = kWidth, .height = kHeight, .smoothing = 2});
-  return {stage.info(), lettering_font(), calc_hash(draw_probe(stage))};
+  return {stage.info(), lettering_font(), calc_hash(draw_probe(stage)), calc_hash(draw_lettering())};
 }
 
 }  // namespace hydroscope

@@ -23,6 +23,9 @@ class Json {
   Json(Array items) : value_(std::move(items)) {}            // NOLINT(google-explicit-constructor)
   Json(Object members) : value_(std::move(members)) {}       // NOLINT(google-explicit-constructor)
 
+  bool is_number() const { return std::holds_alternative<double>(value_); }
+  bool is_array() const { return std::holds_alternative<Array>(value_); }
+  bool is_object() const { return std::holds_alternative<Object>(value_); }
   bool is_null() const { return std::holds_alternative<std::nullptr_t>(value_); }
 
   /// These throw InputError when the value is of another kind or the key is missing.

@@ -144,6 +144,7 @@ void RunWriter::finish(const RunSummary& summary, const ProgramTimes& times) {
                                  {"quantities", quantities},
                                  {"wall_s", make_wall_times(summary.wall, times)},
                                  {"warnings", make_warnings(summary.warnings)},
+                                 {"renderer", record_.renderer},
                                  {"threads", record_.threads},
                                  {"states", states()},
                                  {"scene", record_.scene_file},

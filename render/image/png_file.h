@@ -11,9 +11,14 @@ namespace hydroscope {
 /// Keyword -> text, kept in the file beside the pixels (PNG tEXt).
 using PngTexts = std::map<std::string, std::string>;
 
-/// Writes an opaque PNG fast (alpha is dropped), under a temporary name that is
+/// Frames of a run are written fast; pictures that are kept in a repository should be small.
+enum class PngSize { kFast, kSmall };
+
+/// Writes an opaque PNG (alpha is dropped), under a temporary name that is
 /// renamed when the file is whole. Throws EnvironmentError.
-void write_png(const std::string& file, const Image& image, const PngTexts& texts = {});
+void write_png(const std::string& file, const Image& image, const PngTexts& texts = {},
+               PngSize size = PngSize::kFast);
+std::string make_png(const Image& image, const PngTexts& texts, PngSize size);
 
 struct PngPicture {
   Image image;
