@@ -35,16 +35,12 @@ FootPoint make_round_foot(const Vec3& x, const Vec3& spoke, const Vec3& straight
 
 std::optional<FootPoint> AnalyticSurface::find_foot_point(const Vec3& x, double band, double depth,
                                                           SearchHint& hint) const {
-  FootPoint foot = locate(pose_.rotation.transpose() * (x - pose_.position));
+  const FootPoint foot = locate(pose_.take_back(x));
   hint.position = x;
   hint.clearance = std::abs(foot.gap);
   hint.facet = foot.facet;
   if (foot.gap > band || foot.gap < -depth) return std::nullopt;
-  foot.point = pose_.place_point(foot.point);
-  foot.normal = pose_.place_direction(foot.normal);
-  foot.gap_gradient = pose_.place_direction(foot.gap_gradient);
-  foot.normal_gradient = pose_.rotation * foot.normal_gradient * pose_.rotation.transpose();
-  return foot;
+  return place_foot_point(pose_, foot);
 }
 
 void AnalyticSurface::set_display_mesh(TriangleMesh mesh) {

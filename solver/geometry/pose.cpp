@@ -53,6 +53,14 @@ Mat3 make_frame(const Vec3& direction) {
   return frame;
 }
 
+FootPoint place_foot_point(const Pose& pose, FootPoint foot) {
+  foot.point = pose.place_point(foot.point);
+  foot.normal = pose.place_direction(foot.normal);
+  foot.gap_gradient = pose.place_direction(foot.gap_gradient);
+  foot.normal_gradient = pose.rotation * foot.normal_gradient * pose.rotation.transpose();
+  return foot;
+}
+
 void place_mesh(const Pose& pose, TriangleMesh& mesh) {
   for (Vec3& point : mesh.points) point = pose.place_point(point);
 }

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "solver/base/types.h"
+#include "solver/geometry/tool_surface.h"
 
 namespace hydroscope {
 
@@ -14,6 +15,8 @@ struct Pose {
 
   Vec3 place_point(const Vec3& x) const { return rotation * x + position; }
   Vec3 place_direction(const Vec3& v) const { return rotation * v; }
+  /// From where it is placed to the own frame.
+  Vec3 take_back(const Vec3& x) const { return rotation.transpose() * (x - position); }
 };
 
 /// `rotation_deg` about the fixed axes x, then y, then z; `position` [mm].
@@ -21,6 +24,9 @@ Pose make_pose(const std::array<double, 3>& rotation_deg, const std::array<doubl
 
 /// A right-handed frame whose third axis is `direction` (any length but zero).
 Mat3 make_frame(const Vec3& direction);
+
+/// A foot point of the own frame, as placed.
+FootPoint place_foot_point(const Pose& pose, FootPoint foot);
 
 /// Moves all points of `mesh`.
 void place_mesh(const Pose& pose, TriangleMesh& mesh);

@@ -12,25 +12,6 @@ namespace {
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
-/// What a corner of an element adds to the normal of its node: `e1`, `e2` its edges, counter-clockwise,
-/// `area` that of the element [mm^2].
-Vec3 weigh_corner(const Vec3& e1, const Vec3& e2, double area, NormalRule rule) {
-  const Vec3 cross = e1.cross(e2);
-  const double size = cross.norm();
-  switch (rule) {
-    case NormalRule::facet:
-    case NormalRule::plain:
-      return cross / size;  // (4.3)
-    case NormalRule::area:
-      return area * cross / size;  // (4.4)
-    case NormalRule::angle:
-      return std::atan2(size, e1.dot(e2)) * cross / size;
-    case NormalRule::max:
-      return cross / (e1.squaredNorm() * e2.squaredNorm());
-  }
-  return cross;
-}
-
 /// What corner `k` of a facet adds to the normal of its node.
 Vec3 calc_share(const TriangleMesh& mesh, int facet, int k, NormalRule rule) {
   const auto& t = mesh.triangles[at(facet)];
@@ -103,6 +84,23 @@ void spread_normal(const Fan& fan, int seed, int point, CornerNormals& result) {
 }
 
 }  // namespace
+
+Vec3 weigh_corner(const Vec3& e1, const Vec3& e2, double area, NormalRule rule) {
+  const Vec3 cross = e1.cross(e2);
+  const double size = cross.norm();
+  switch (rule) {
+    case NormalRule::facet:
+    case NormalRule::plain:
+      return cross / size;  // (4.3)
+    case NormalRule::area:
+      return area * cross / size;  // (4.4)
+    case NormalRule::angle:
+      return std::atan2(size, e1.dot(e2)) * cross / size;
+    case NormalRule::max:
+      return cross / (e1.squaredNorm() * e2.squaredNorm());
+  }
+  return cross;
+}
 
 NormalRule parse_normal_rule(const std::string& name) {
   if (name == "facet") return NormalRule::facet;

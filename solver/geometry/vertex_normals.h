@@ -23,6 +23,11 @@ enum class NormalRule {
 /// "facet", "plain", "area", "angle" or "max"; throws InputError otherwise.
 NormalRule parse_normal_rule(const std::string& name);
 
+/// What a corner of an element adds to the normal of its node, by weight: `e1`, `e2` the element's edges
+/// there, counter-clockwise; `area` that of the element [mm^2]. Of rule `facet`: the corner's own normal
+/// (4.1).
+Vec3 weigh_corner(const Vec3& e1, const Vec3& e2, double area, NormalRule rule);
+
 /// One unit normal for each group of facets around a point that no crease parts.
 /// A point on a crease has one for each side of it.
 struct CornerNormals {

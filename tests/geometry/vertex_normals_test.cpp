@@ -95,6 +95,12 @@ TEST(VertexNormals, ErrorsAtATangentLine) {
   EXPECT_NEAR(error_at_tangent_line(0.8, NormalRule::angle), 2.25, 0.01);
 }
 
+TEST(VertexNormals, MaxIsExactOnACylinderAndWorstWhereAFlatBegins) {
+  EXPECT_NEAR(worst_on_cylinder(NormalRule::max), 0.0, 0.005);
+  EXPECT_NEAR(error_at_tangent_line(5.0, NormalRule::max), 3.89, 0.01);
+  EXPECT_NEAR(error_at_tangent_line(0.8, NormalRule::max), 2.27, 0.01);
+}
+
 TEST(VertexNormals, AreaWeightsByHand) {
   // Two facets over a ridge, areas 2 : 1, normals (0,0,1) and (1,0,0): their node gets (1,0,2)/sqrt 5.
   TriangleMesh mesh;
