@@ -176,18 +176,16 @@ FootPoint HeightSurface::follow_rim(const Vec3& x, Cell cell, int side) const {
     }
     if (rim.end == 0 || rim.end == -last_end) break;
     last_end = rim.end;
-    // The rim goes on along the same line, into the cell itself or out of it.
+    // The rim goes on along the same line or around the cell; at an inner corner it has met the surface
+    // again.
     const int ahead = rim.end > 0 ? (side + 1) % 4 : (side + 3) % 4;
     const Cell next{cell.i + kBeyond[at(ahead)][0], cell.j + kBeyond[at(ahead)][1]};
-    const Cell diagonal{next.i + kBeyond[at(side)][0], next.j + kBeyond[at(side)][1]};
-    if (has_cell(next) && has_cell(diagonal)) {
-      cell = diagonal;
-      side = (ahead + 2) % 4;
-    } else if (has_cell(next)) {
-      cell = next;
-    } else {
+    if (!has_cell(next)) {
       side = ahead;
+      continue;
     }
+    if (has_cell({next.i + kBeyond[at(side)][0], next.j + kBeyond[at(side)][1]})) break;
+    cell = next;
   }
   return best;
 }
