@@ -106,6 +106,8 @@ void expect_balance(const History& h) {
   const double wanted = lever * state.quantities.at("support_N_per_mm");
   // The corrector's tolerance is 1e-3 of the reference force.
   EXPECT_LT(relative_error(state.quantities.at("free_N"), wanted), 1e-3);
+  ::testing::Test::RecordProperty(
+      "free_moment_N", std::to_string(state.quantities.at("free_N")) + " wanted " + std::to_string(wanted));
 }
 
 TEST(PunchBend, WrapsEvenlyAndSpringsBack) {
