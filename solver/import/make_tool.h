@@ -6,18 +6,19 @@
 
 #include "solver/geometry/pose.h"
 #include "solver/geometry/tool_surface.h"
+#include "solver/import/tool_mesh.h"
 #include "solver/scene/scene.h"
 
 namespace hydroscope {
 
-/// Path of a mesh tool's file. Throws InputError when none is given.
+/// Path of the file of a mesh or a point set. Throws InputError when none is given.
 std::string find_tool_file(const ToolScene& scene, const std::string& name,
                            const std::string& scene_directory);
 
-/// A tool's mesh as placed: read, oriented alike, flipped on request, turned and moved.
-/// `name`: of the tool, for messages; `scene_directory`: relative files start there.
-TriangleMesh make_tool_mesh(const ToolScene& scene, const std::string& name,
-                            const std::string& scene_directory);
+/// The surface over a tool's mesh, read and oriented alike, before it is flipped and placed. `name`: of the
+/// tool, for messages. Throws InputError where the mesh does not allow the form that the scene asks for.
+std::shared_ptr<const ToolSurface> make_mesh_surface(const ImportedMesh& imported, const ToolScene& scene,
+                                                     const std::string& name);
 
 /// The surface of one [tool.NAME], as placed at the start. `display_extent` [mm]: how far infinite
 /// surfaces (plane, cylinder, box) reach in pictures. Throws InputError naming the tool's key.

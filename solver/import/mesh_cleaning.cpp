@@ -101,8 +101,10 @@ std::vector<int> weld_points(const std::vector<Vec3>& points, double tolerance) 
   return first;
 }
 
-int split_polygons(const PolygonSoup& soup, std::vector<std::array<int, 3>>& triangles) {
+int split_polygons(const PolygonSoup& soup, std::vector<std::array<int, 3>>& triangles,
+                   std::vector<int>& quad_of) {
   int split = 0;
+  int quads = 0;
   for (const std::vector<int>& polygon : soup.polygons) {
     if (polygon.size() < 3) continue;
     if (polygon.size() > 3) ++split;
@@ -116,7 +118,9 @@ int split_polygons(const PolygonSoup& soup, std::vector<std::array<int, 3>>& tri
     const auto corner = [&](std::size_t i) { return polygon[(start + i) % polygon.size()]; };
     for (std::size_t i = 1; i + 1 < polygon.size(); ++i) {
       triangles.push_back({corner(0), corner(i), corner(i + 1)});
+      quad_of.push_back(polygon.size() == 4 ? quads : -1);
     }
+    if (polygon.size() == 4) ++quads;
   }
   return split;
 }
@@ -127,10 +131,13 @@ CleanedMesh clean_mesh(const PolygonSoup& soup) {
   const std::vector<int> first = weld_points(soup.points, tolerance);
   for (std::size_t i = 0; i < first.size(); ++i) cleaned.points_welded += at(first[i]) != i ? 1 : 0;
   std::vector<std::array<int, 3>> triangles;
-  cleaned.polygons_split = split_polygons(soup, triangles);
+  std::vector<int> quad_of;
+  cleaned.polygons_split = split_polygons(soup, triangles, quad_of);
   cleaned.mesh.points = soup.points;
   std::set<std::array<int, 3>> known;
-  for (auto& t : triangles) {
+  int last_quad = -1;
+  for (std::size_t i = 0; i < triangles.size(); ++i) {
+    auto& t = triangles[i];
     for (int& point : t) point = first[at(point)];
     const bool is_collapsed = t[0] == t[1] || t[1] == t[2] || t[2] == t[0];
     if (is_collapsed || is_thin(soup.points, t, tolerance)) {
@@ -143,6 +150,10 @@ CleanedMesh clean_mesh(const PolygonSoup& soup) {
       ++cleaned.duplicates_dropped;
       continue;
     }
+    // Both halves of a quadrilateral follow each other, if both are kept.
+    const int count = static_cast<int>(cleaned.mesh.triangles.size());
+    if (quad_of[i] >= 0 && quad_of[i] == last_quad) cleaned.quads.push_back({count - 1, count});
+    last_quad = quad_of[i];
     cleaned.mesh.triangles.push_back(t);
   }
   drop_unused_points(cleaned.mesh);

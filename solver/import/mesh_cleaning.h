@@ -22,14 +22,17 @@ double calc_weld_tolerance(const std::vector<Vec3>& points);
 std::vector<int> weld_points(const std::vector<Vec3>& points, double tolerance);
 
 /// Splits polygons into triangles: a quadrilateral at its shorter diagonal, larger ones as a fan.
-/// Returns the number of polygons split.
-int split_polygons(const PolygonSoup& soup, std::vector<std::array<int, 3>>& triangles);
+/// Returns the number of polygons split. `quad_of`: number of the quadrilateral that a triangle is half of,
+/// or -1.
+int split_polygons(const PolygonSoup& soup, std::vector<std::array<int, 3>>& triangles,
+                   std::vector<int>& quad_of);
 
 struct CleanedMesh {
   TriangleMesh mesh;
-  int points_welded = 0;       // points that fell on an earlier one
-  int degenerate_dropped = 0;  // triangles thinner than the tolerance
-  int duplicates_dropped = 0;  // triangles of the same three points as an earlier one
+  std::vector<std::array<int, 2>> quads;  // pairs of triangles that are halves of one quadrilateral
+  int points_welded = 0;                  // points that fell on an earlier one
+  int degenerate_dropped = 0;             // triangles thinner than the tolerance
+  int duplicates_dropped = 0;             // triangles of the same three points as an earlier one
   int polygons_split = 0;
 };
 

@@ -26,23 +26,6 @@ constexpr std::size_t kStlHeader = 84;  // 80 bytes of anything, then the number
 constexpr std::size_t kStlFacet = 50;
 constexpr std::uintmax_t kLargestFile = std::uintmax_t{1} << 31;
 
-std::string read_all(const std::string& path) {
-  std::error_code code;
-  const auto status = std::filesystem::status(path, code);
-  if (!std::filesystem::exists(status)) refuse_mesh_file(path, "no such file");
-  if (std::filesystem::is_directory(status)) refuse_mesh_file(path, "is a directory, expected a mesh file");
-  if (!std::filesystem::is_regular_file(status)) refuse_mesh_file(path, "is not a regular file");
-  const std::uintmax_t size = std::filesystem::file_size(path, code);
-  if (!code && size == 0) refuse_mesh_file(path, "the file is empty");
-  if (!code && size >= kLargestFile) refuse_mesh_file(path, "larger than 2 GB: decimate the mesh");
-  std::ifstream file(path, std::ios::binary);
-  if (!file) refuse_mesh_file(path, std::string("cannot be read: ") + std::strerror(errno));
-  std::ostringstream content;
-  content << file.rdbuf();
-  if (!file) refuse_mesh_file(path, std::string("cannot be read: ") + std::strerror(errno));
-  return std::move(content).str();
-}
-
 std::string to_lower(std::string_view text) {
   std::string lower(text);
   for (char& c : lower) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
@@ -253,8 +236,25 @@ void refuse_mesh_file(const std::string& path, const std::string& what) {
   throw InputError(path + ": " + shown);
 }
 
+std::string read_mesh_content(const std::string& path) {
+  std::error_code code;
+  const auto status = std::filesystem::status(path, code);
+  if (!std::filesystem::exists(status)) refuse_mesh_file(path, "no such file");
+  if (std::filesystem::is_directory(status)) refuse_mesh_file(path, "is a directory, expected a file");
+  if (!std::filesystem::is_regular_file(status)) refuse_mesh_file(path, "is not a regular file");
+  const std::uintmax_t size = std::filesystem::file_size(path, code);
+  if (!code && size == 0) refuse_mesh_file(path, "the file is empty");
+  if (!code && size >= kLargestFile) refuse_mesh_file(path, "larger than 2 GB: make it coarser");
+  std::ifstream file(path, std::ios::binary);
+  if (!file) refuse_mesh_file(path, std::string("cannot be read: ") + std::strerror(errno));
+  std::ostringstream content;
+  content << file.rdbuf();
+  if (!file) refuse_mesh_file(path, std::string("cannot be read: ") + std::strerror(errno));
+  return std::move(content).str();
+}
+
 MeshFile read_mesh_file(const std::string& path) {
-  MeshFile file{path, read_all(path), to_lower(std::filesystem::path(path).extension().string()), 0};
+  MeshFile file{path, read_mesh_content(path), to_lower(std::filesystem::path(path).extension().string()), 0};
   if (!file.format.empty()) file.format.erase(0, 1);
   if (file.format == "stl") {
     file.facets = check_stl(path, file.content);

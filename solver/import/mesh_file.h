@@ -19,6 +19,9 @@ struct MeshFile {
 /// Reads and checks the file; throws InputError naming it and what is wrong.
 MeshFile read_mesh_file(const std::string& path);
 
+/// The whole file; throws InputError when it is missing, empty, no file, or larger than 2 GB.
+std::string read_mesh_content(const std::string& path);
+
 /// InputError "FILE: what".
 [[noreturn]] void refuse_mesh_file(const std::string& path, const std::string& what);
 

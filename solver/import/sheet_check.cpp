@@ -13,8 +13,9 @@ namespace {
 // Tools are seldom 100 times smaller than their sheet; metres make them 1000 times smaller.
 constexpr double kMetres = 100.0;
 constexpr double kInches = 12.0;
+constexpr double kMicrometres = 1.0 / 200.0;
 // Facets and curved sheets leave some penetration at the start; more than this part of the wall is a mistake.
-constexpr double kDeep = 0.05;
+constexpr double kDeep = 0.02;
 
 template <class... Numbers>
 std::string format(const char* text, Numbers... numbers) {
@@ -84,9 +85,9 @@ void judge_penetration(const SheetSample& sheet, ToolReport& report) {
 
 }  // namespace
 
-bool check_units(const SheetSample& sheet, ToolReport& report) {
-  if (sheet.points.empty() || !report.has_mesh) return true;
-  const double tool = (report.mesh.high - report.mesh.low).norm();
+bool check_units(const TriangleMesh& mesh, const SheetSample& sheet, ToolReport& report) {
+  if (sheet.points.empty()) return true;
+  const double tool = calc_diagonal(mesh.points);
   const double sheet_size = calc_diagonal(sheet.points);
   const double ratio = sheet_size / tool;
   const std::string sizes = format("tool.%s: the tool is %.3g mm in size, the sheet %.3g mm",
@@ -95,22 +96,25 @@ bool check_units(const SheetSample& sheet, ToolReport& report) {
     report.errors.push_back(sizes + ": metres taken for millimetres? Set unit_scale = 1000");
     return false;
   }
+  if (ratio < kMicrometres) {
+    report.errors.push_back(sizes + ": if the file is in micrometres, set unit_scale = 0.001");
+    return false;
+  }
   if (ratio > kInches) {
     report.warnings.push_back(sizes + ": if the file is in inches, set unit_scale = 25.4");
-  } else if (ratio < 1.0 / kMetres) {
-    report.warnings.push_back(sizes + ": if the file is in micrometres, set unit_scale = 0.001");
   }
   return true;
 }
 
-void check_sheet_side(const ToolSurface& tool, const std::vector<int>& part_of_facet,
-                      const SheetSample& sheet, ToolReport& report) {
+void check_sheet_side(const ToolSurface& tool, const SheetSample& sheet, ToolReport& report) {
   if (sheet.points.empty()) return;
+  const std::vector<int> part_of_facet = tool.list_parts();
   const int part_count =
       part_of_facet.empty() ? 1 : 1 + *std::max_element(part_of_facet.begin(), part_of_facet.end());
   std::vector<PartCount> parts(static_cast<std::size_t>(part_count));
-  const double reach =
-      2.0 * (calc_diagonal(sheet.points) + (report.mesh.high - report.mesh.low).norm()) + 1e3;
+  const double reach = 2.0 * (calc_diagonal(sheet.points) + calc_diagonal(tool.display_mesh().points)) + 1e3;
+  // A sheet that touches may lie behind by rounding, and by what is allowed.
+  const double touch = std::max(kDeep * sheet.thickness, 1e-6);
   SheetPlace& place = report.place;
   place.smallest_gap = std::numeric_limits<double>::infinity();
   int behind = 0;
@@ -125,8 +129,7 @@ void check_sheet_side(const ToolSurface& tool, const std::vector<int>& part_of_f
             : static_cast<std::size_t>(part_of_facet[static_cast<std::size_t>(foot->facet)]);
     ++place.points;
     ++parts[part].points;
-    // A sheet that touches may lie behind by rounding.
-    if (foot->gap < -1e-3 * std::max(sheet.thickness, 1e-3)) {
+    if (foot->gap < -touch) {
       ++behind;
       ++parts[part].behind;
     }

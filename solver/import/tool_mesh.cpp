@@ -68,6 +68,7 @@ ImportedMesh read_tool_mesh(const std::string& file, double unit_scale) {
   imported.duplicates_dropped = cleaned.duplicates_dropped;
   imported.quads_split = cleaned.polygons_split;
   imported.mesh = std::move(cleaned.mesh);
+  imported.quads = std::move(cleaned.quads);
   return imported;
 }
 

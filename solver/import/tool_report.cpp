@@ -6,7 +6,7 @@
 #include <filesystem>
 
 #include "solver/base/error.h"
-#include "solver/geometry/mesh_surface.h"
+#include "solver/geometry/height_surface.h"
 #include "solver/geometry/mesh_topology.h"
 #include "solver/import/make_tool.h"
 #include "solver/import/sheet_check.h"
@@ -85,14 +85,38 @@ void judge_element_size(const SheetSample& sheet, ToolReport& report) {
   }
 }
 
-/// Reads, repairs and measures; gives the mesh in the file's place.
-TriangleMesh inspect_file(const std::string& file, double unit_scale, ToolReport& report) {
-  report.import = read_tool_mesh(file, unit_scale);
-  TriangleMesh mesh = std::move(report.import.mesh);
-  report.import.mesh = {};
-  report.flipped_repaired = orient_consistently(mesh);
+/// Reads and repairs; the report keeps the counts.
+ImportedMesh inspect_file(const std::string& file, double unit_scale, ToolReport& report) {
+  ImportedMesh imported = read_tool_mesh(file, unit_scale);
+  report.flipped_repaired = orient_consistently(imported.mesh);
   report.has_mesh = true;
-  return mesh;
+  report.import = imported;
+  report.import.mesh = {};
+  return imported;
+}
+
+void warn_of_sharp_edges(const ToolSurface& tool, ToolReport& report) {
+  const auto* heights = dynamic_cast<const HeightSurface*>(&tool);
+  if (heights == nullptr || heights->sharp_edges() == 0) return;
+  report.warnings.push_back(
+      format("tool.%s: %d lines of the point set bend by more than %g deg: it rounds them over one pitch",
+             report.name.c_str(), heights->sharp_edges(), report.crease_angle));
+}
+
+ToolReport start_report(const ToolScene& scene, const std::string& name, const SheetSample& sheet) {
+  ToolReport report;
+  report.name = name;
+  report.crease_angle = scene.crease_angle;
+  report.sheet.element_size = sheet.element_size;
+  report.sheet.thickness = sheet.thickness;
+  return report;
+}
+
+void check_start(const ToolSurface& tool, const ToolScene& scene, const SheetSample& sheet,
+                 ToolReport& report) {
+  const bool has_unit = scene.shape == "mesh" || scene.shape == "points";
+  if (has_unit && !check_units(tool.display_mesh(), sheet, report)) return;
+  check_sheet_side(tool, sheet, report);
 }
 
 void format_mesh(const ToolReport& report, std::string& text) {
@@ -125,31 +149,37 @@ ToolReport inspect_tool_file(const std::string& file, double unit_scale, double 
   ToolReport report;
   report.name = std::filesystem::path(file).stem().string();
   report.crease_angle = crease_angle;
-  report.mesh = measure_mesh(inspect_file(file, unit_scale, report), crease_angle);
+  report.mesh = measure_mesh(inspect_file(file, unit_scale, report).mesh, crease_angle);
   judge_mesh(report);
+  return report;
+}
+
+ToolReport inspect_start(const ToolSurface& tool, const ToolScene& scene, const std::string& name,
+                         const SheetSample& sheet) {
+  ToolReport report = start_report(scene, name, sheet);
+  check_start(tool, scene, sheet, report);
   return report;
 }
 
 ToolReport inspect_tool(const ToolScene& scene, const std::string& name, const std::string& scene_directory,
                         const SheetSample& sheet) {
-  ToolReport report;
-  report.name = name;
-  report.crease_angle = scene.crease_angle;
-  report.sheet.element_size = sheet.element_size;
-  report.sheet.thickness = sheet.thickness;
+  ToolReport report = start_report(scene, name, sheet);
   if (scene.shape != "mesh") {
-    check_sheet_side(*make_tool_surface(scene, name, scene_directory, 1.0), {}, sheet, report);
+    const auto tool = make_tool_surface(scene, name, scene_directory, 1.0);
+    warn_of_sharp_edges(*tool, report);
+    check_start(*tool, scene, sheet, report);
     return report;
   }
-  TriangleMesh mesh = inspect_file(find_tool_file(scene, name, scene_directory), scene.unit_scale, report);
+  const ImportedMesh imported =
+      inspect_file(find_tool_file(scene, name, scene_directory), scene.unit_scale, report);
+  TriangleMesh mesh = imported.mesh;
   if (scene.flip) flip_mesh(mesh);
   place_mesh(make_pose(scene.rotation, scene.position), mesh);
   report.mesh = measure_mesh(mesh, scene.crease_angle);
   judge_mesh(report);
   judge_element_size(sheet, report);
-  if (!report.errors.empty() || !check_units(sheet, report)) return report;
-  const MeshSurface surface(mesh, {parse_normal_rule(scene.normals), scene.crease_angle});
-  check_sheet_side(surface, find_parts(surface.topology()), sheet, report);
+  if (!report.errors.empty() || sheet.points.empty()) return report;
+  check_start(*make_mesh_surface(imported, scene, name), scene, sheet, report);
   return report;
 }
 

@@ -48,6 +48,11 @@ ToolReport inspect_tool_file(const std::string& file, double unit_scale, double 
 ToolReport inspect_tool(const ToolScene& scene, const std::string& name, const std::string& scene_directory,
                         const SheetSample& sheet);
 
+/// How the sheet begins against a tool that has been made already: its size, side and depth inside. Errors
+/// name the tool's key.
+ToolReport inspect_start(const ToolSurface& tool, const ToolScene& scene, const std::string& name,
+                         const SheetSample& sheet);
+
 /// The report as lines of text for a terminal, errors and warnings last.
 std::string format_tool_report(const ToolReport& report);
 

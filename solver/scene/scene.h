@@ -92,17 +92,22 @@ struct EdgeScene {
 };
 
 struct ToolScene {                 // [tool.NAME]
-  std::string shape = "mesh";      // mesh | plane | cylinder | box | torus
-  std::string file;                // mesh: STL, OBJ, PLY; relative to the scene file
+  std::string shape = "mesh";      // mesh | points | plane | cylinder | box | torus
+  std::string file;                // mesh: STL, OBJ, PLY; points: grid file; relative to the scene file
   double unit_scale = 1.0;         // mesh: file unit in mm (1 = file is in mm)
-  std::string normals = "area";    // mesh: facet | plain | area | angle | max
-  std::string surface = "smooth";  // surface: mesh: smooth (facets bent to fit their normals) | facets
-  double crease_angle = 40.0;      // crease_angle_deg: sharper edges are reported
-  bool flip = false;               // flip: turn all facets around
-  std::array<double, 3> position{0, 0, 0};   // position_mm: moves the tool after rotation
-  std::array<double, 3> rotation{0, 0, 0};   // rotation_deg: about x, then y, then z
-  std::array<double, 3> point{0, 0, 0};      // plane: a point [mm]; cylinder, torus: centre
-  std::array<double, 3> direction{0, 0, 1};  // plane: normal into free space; cylinder, torus: axis
+  std::string normals = "area";    // mesh, points: facet | plain | area | angle | max
+  std::string surface = "smooth";  // surface: mesh: smooth (facets bent to fit their normals) | facets |
+                                   // quads | nagata | points
+  double pitch = 0.0;              // pitch_mm: surface = points
+  std::array<double, 3> height_axis{0, 0, 1};  // height_axis: surface = points, in the file's axes
+  std::string search = "tree";                 // search: mesh: tree | grid | all
+  std::string projection = "prism";            // projection: surface = facets: prism | orthogonal
+  double crease_angle = 40.0;                  // crease_angle_deg: sharper edges are reported
+  bool flip = false;                           // flip: turn all facets around
+  std::array<double, 3> position{0, 0, 0};     // position_mm: moves the tool after rotation
+  std::array<double, 3> rotation{0, 0, 0};     // rotation_deg: about x, then y, then z
+  std::array<double, 3> point{0, 0, 0};        // plane: a point [mm]; cylinder, torus: centre
+  std::array<double, 3> direction{0, 0, 1};    // plane: normal into free space; cylinder, torus: axis
   double radius = 0.0;          // radius_mm: cylinder; torus: distance of tube centre from its axis
   double minor_radius = 0.0;    // minor_radius_mm: torus
   std::string side = "inside";  // cylinder, box, torus: sheet is inside | outside

@@ -151,12 +151,25 @@ void check_edges(const GivenKeys& given, const Scene& scene) {
   }
 }
 
+bool is_zero(const std::array<double, 3>& v) { return v[0] == 0.0 && v[1] == 0.0 && v[2] == 0.0; }
+
+void check_tool_surface(const GivenKeys& given, const std::string& path, const ToolScene& tool) {
+  if (tool.shape != "mesh") return;
+  if (tool.surface == "nagata" && tool.normals == "facet") {
+    given.fail(given.has(path + ".normals") ? path + ".normals" : path + ".surface",
+               "\"facet\" normals make no Nagata patches; choose plain, area, angle or max");
+  }
+  if (tool.surface == "points" && given.has(path + ".search")) {
+    given.fail(path + ".search", "has no effect with surface = \"points\": x and y give the cell");
+  }
+  if (is_zero(tool.height_axis)) given.fail(path + ".height_axis", "[0, 0, 0] has no direction");
+}
+
 void check_tools(const GivenKeys& given, const Scene& scene) {
   for (const auto& [name, tool] : scene.tools) {
     const std::string path = "tool." + name;
-    const auto& d = tool.direction;
-    if (d[0] == 0.0 && d[1] == 0.0 && d[2] == 0.0)
-      given.fail(path + ".direction", "[0, 0, 0] has no direction");
+    if (is_zero(tool.direction)) given.fail(path + ".direction", "[0, 0, 0] has no direction");
+    check_tool_surface(given, path, tool);
     if (tool.shape == "box" && tool.corner_radius > std::min(tool.half_width, tool.half_height)) {
       given.fail(path + ".corner_radius_mm", format_exact(tool.corner_radius) +
                                                  " is out of range; allowed: 0 to " +
@@ -304,7 +317,7 @@ void check_scene_files(const Scene& scene, const GivenKeys& given) {
   };
   if (scene.sheet == "mesh") check("mesh.file", scene.mesh.file);
   for (const auto& [name, tool] : scene.tools) {
-    if (tool.shape == "mesh") check("tool." + name + ".file", tool.file);
+    if (tool.shape == "mesh" || tool.shape == "points") check("tool." + name + ".file", tool.file);
   }
 }
 

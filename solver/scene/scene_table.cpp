@@ -277,38 +277,65 @@ SceneTable make_edge() {
 SceneTable make_tool() {
   using T = ToolScene;
   const std::vector<std::string> round = {"cylinder", "torus"};
+  const std::vector<std::string> from_file = {"mesh", "points"};
   return {
       "tool",
       "A rigid tool, by a name of your choice.",
       {"*"},
       {
-          key<&T::shape>("shape", "", "A mesh from a file, or an exact surface.")
-              .one_of({"mesh", "plane", "cylinder", "box", "torus"}),
-          key<&T::file>("file", "", "STL, OBJ or PLY file, relative to the scene file.")
-              .when("shape", {"mesh"})
+          key<&T::shape>("shape", "",
+                         "A mesh from a file, heights on a grid from a file, or an exact surface.")
+              .one_of({"mesh", "points", "plane", "cylinder", "box", "torus"}),
+          key<&T::file>(
+              "file", "",
+              "STL, OBJ or PLY file; of `points` a grid file (docs/tools.md). Relative to the scene file.")
+              .when("shape", from_file)
               .required(),
           key<&T::unit_scale>("unit_scale", "",
                               "Length of the file's unit in mm (1000 for a file in metres).")
               .in(1e-6, 1e6)
-              .when("shape", {"mesh"}),
-          key<&T::normals>(
-              "normals", "",
-              "How node normals average those of the facets around; `facet` leaves them as they are.")
+              .when("shape", from_file),
+          key<&T::normals>("normals", "",
+                           "How node normals average those of the facets around: not at all, (4.3), (4.4), "
+                           "by angle, or as N. Max 1999.")
               .one_of({"facet", "plain", "area", "angle", "max"})
-              .when("shape", {"mesh"}),
+              .when("shape", from_file),
           key<&T::surface>(
               "surface", "",
-              "Facets bent to fit their node normals (second order, after Nagata), or flat as they are.")
-              .one_of({"smooth", "facets"})
+              "Facets bent to fit their node normals (second order, after Nagata), flat as they are, "
+              "bilinear "
+              "quadrilaterals (4.2), quadratic Nagata patches, or a point set sampled from the mesh.")
+              .one_of({"smooth", "facets", "quads", "nagata", "points"})
               .when("shape", {"mesh"}),
+          key<&T::pitch>("pitch_mm", "mm", "Distance of the points that are sampled from the mesh.")
+              .in(1e-4, 1e4)
+              .when("surface", {"points"})
+              .required(),
+          key<&T::height_axis>(
+              "height_axis", "",
+              "Direction in the file's axes along which heights are sampled, from the tool to free space.")
+              .in(-1e5, 1e5)
+              .when("surface", {"points"}),
+          key<&T::search>(
+              "search", "",
+              "How near facets are found: bounding-volume tree, uniform grid, or trying all. The result is "
+              "the same, the cost is not.")
+              .one_of({"tree", "grid", "all"})
+              .when("shape", {"mesh"}),
+          key<&T::projection>(
+              "projection", "",
+              "How a point is paired with a facet: along the interpolated normal, or along the facet's, "
+              "which loses points over convex edges.")
+              .one_of({"prism", "orthogonal"})
+              .when("surface", {"facets"}),
           key<&T::crease_angle>(
               "crease_angle_deg", "deg",
               "Normals are not averaged over edges sharper than this; such edges are reported.")
               .in(1, 180)
-              .when("shape", {"mesh"}),
+              .when("shape", from_file),
           key<&T::flip>("flip", "",
                         "Turns all facets around, for a file whose facets face away from the sheet.")
-              .when("shape", {"mesh"}),
+              .when("shape", from_file),
           key<&T::position>("position_mm", "mm", "Moves the tool, after its rotation.").in(-1e5, 1e5),
           key<&T::rotation>("rotation_deg", "deg", "Turns the tool about x, then y, then z.").in(-360, 360),
           key<&T::point>("point_mm", "mm", "A point of the plane; centre of the cylinder or torus.")

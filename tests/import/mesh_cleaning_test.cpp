@@ -41,8 +41,30 @@ TEST(SplitPolygons, FansLargerPolygons) {
   for (int i = 0; i < 6; ++i) soup.points.emplace_back(std::cos(i * 1.0472), std::sin(i * 1.0472), 0);
   soup.polygons = {{0, 1, 2, 3, 4, 5}, {0, 1}, {0, 1, 2}};
   std::vector<std::array<int, 3>> triangles;
-  EXPECT_EQ(split_polygons(soup, triangles), 1);
+  std::vector<int> quad_of;
+  EXPECT_EQ(split_polygons(soup, triangles, quad_of), 1);
   EXPECT_EQ(triangles.size(), 5u);
+  EXPECT_EQ(quad_of, std::vector<int>(5, -1));
+}
+
+TEST(SplitPolygons, RemembersQuads) {
+  PolygonSoup soup;
+  soup.points = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {2, 0, 0}, {2, 1, 0}};
+  soup.polygons = {{0, 1, 2}, {0, 1, 2, 3}, {1, 4, 5, 2}};
+  std::vector<std::array<int, 3>> triangles;
+  std::vector<int> quad_of;
+  split_polygons(soup, triangles, quad_of);
+  EXPECT_EQ(quad_of, (std::vector<int>{-1, 0, 0, 1, 1}));
+}
+
+TEST(CleanMesh, PairsTheHalvesOfQuadsThatAreBothKept) {
+  PolygonSoup soup;
+  soup.points = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {2, 0, 0}, {2, 1, 0}};
+  // The second quad has lost a corner, the third is one side of the first again.
+  soup.polygons = {{0, 1, 2, 3}, {1, 4, 4, 2}, {1, 4, 5, 2}};
+  const CleanedMesh cleaned = clean_mesh(soup);
+  EXPECT_EQ(cleaned.mesh.triangles.size(), 5u);
+  EXPECT_EQ(cleaned.quads, (std::vector<std::array<int, 2>>{{0, 1}, {3, 4}}));
 }
 
 TEST(CleanMesh, ClosesACubeWrittenAsSixSeparateQuads) {

@@ -61,6 +61,7 @@ TEST(ReadToolMesh, SplitsQuadsAtTheShorterDiagonal) {
       read_tool_mesh(folder.write("q.obj", "v 0 0 0\nv 2 0 0\nv 3 1 0\nv 1 1 0\nf 1 2 3 4\n"), 1.0);
   EXPECT_EQ(imported.quads_split, 1);
   ASSERT_EQ(imported.mesh.triangles.size(), 2u);
+  EXPECT_EQ(imported.quads, (std::vector<std::array<int, 2>>{{0, 1}}));
   for (const auto& t : imported.mesh.triangles) {
     int on_short = 0;  // both halves hold the points (2, 0) and (1, 1)
     for (int p : t) {

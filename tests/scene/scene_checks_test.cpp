@@ -23,7 +23,7 @@ TEST(SceneChecks, MissingKeysOfAKind) {
             "a.toml:17: key 'tool.die.radius_mm' is missing (needed with shape = \"cylinder\" or \"torus\")");
   EXPECT_EQ(error_of(with_line(kTube, 22, "")), "a.toml:21: key 'quantity.t_mm.kind' is missing");
   EXPECT_EQ(error_of(kTube + "[tool.other]\n"),
-            "a.toml:24: key 'tool.other.file' is missing (needed with shape = \"mesh\")");
+            "a.toml:24: key 'tool.other.file' is missing (needed with shape = \"mesh\" or \"points\")");
   EXPECT_EQ(error_of(kTube + "[frames]\npick = \"interval\"\n"),
             "a.toml:24: key 'frames.interval_s' is missing (needed with pick = \"interval\")");
 }
@@ -105,6 +105,27 @@ TEST(SceneChecks, ToolSizes) {
       HasSubstr("25 is out of range; allowed: 0 to 20"));
   EXPECT_EQ(error_of(with_line(kTube, 20, "direction = [0, 0, 0]")),
             "a.toml:20: key 'tool.die.direction': [0, 0, 0] has no direction");
+}
+
+TEST(SceneChecks, ToolForms) {
+  const std::string die = kTube + "[tool.b]\nfile=\"b.stl\"\n";
+  EXPECT_EQ(error_of(die + "surface = \"points\"\npitch_mm = 0.5\nheight_axis = [-1, -1, 0]\n"), "no error");
+  EXPECT_EQ(error_of(die + "surface = \"nagata\"\nnormals = \"max\"\nsearch = \"grid\"\n"), "no error");
+  EXPECT_EQ(error_of(die + "surface = \"facets\"\nprojection = \"orthogonal\"\n"), "no error");
+  EXPECT_EQ(error_of(kTube + "[tool.b]\nshape = \"points\"\nfile=\"b.grid\"\nnormals = \"facet\"\n"),
+            "no error");
+  EXPECT_EQ(error_of(die + "surface = \"points\"\n"),
+            "a.toml:24: key 'tool.b.pitch_mm' is missing (needed with surface = \"points\")");
+  EXPECT_EQ(error_of(die + "pitch_mm = 1\n"),
+            "a.toml:26: key 'tool.b.pitch_mm': has no effect here; it is for surface = \"points\"");
+  EXPECT_EQ(error_of(die + "projection = \"orthogonal\"\n"),
+            "a.toml:26: key 'tool.b.projection': has no effect here; it is for surface = \"facets\"");
+  EXPECT_THAT(error_of(die + "surface = \"nagata\"\nnormals = \"facet\"\n"),
+              HasSubstr("a.toml:27: key 'tool.b.normals': \"facet\" normals make no Nagata patches"));
+  EXPECT_THAT(error_of(die + "surface = \"points\"\npitch_mm = 1\nsearch = \"tree\"\n"),
+              HasSubstr("key 'tool.b.search': has no effect with surface = \"points\""));
+  EXPECT_THAT(error_of(die + "surface = \"points\"\npitch_mm = 1\nheight_axis = [0, 0, 0]\n"),
+              HasSubstr("key 'tool.b.height_axis': [0, 0, 0] has no direction"));
 }
 
 TEST(SceneChecks, NamesOfQuantitiesAndTools) {

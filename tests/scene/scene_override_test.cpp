@@ -46,7 +46,7 @@ TEST(SceneOverride, ErrorsNameTheOverride) {
   EXPECT_EQ(error_of(kTube, {"tol.die.friction=1"}),
             "--set tol.die.friction=1: table '[tol]': unknown; did you mean '[tool]'?");
   EXPECT_EQ(error_of(kTube, {"tool.dei.friction=1"}),
-            "--set tool.dei.friction=1: key 'tool.dei.file' is missing (needed with shape = \"mesh\")");
+            "--set tool.dei.friction=1: key 'tool.dei.file' is missing (needed with shape = \"mesh\" or \"points\")");
 }
 
 TEST(SceneOverride, Malformed) {
