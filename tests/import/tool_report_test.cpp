@@ -5,6 +5,7 @@
 
 #include "scenes/generators/die_meshes.h"
 #include "solver/geometry/pose.h"
+#include "solver/import/make_tool.h"
 #include "tests/geometry/test_shapes.h"
 #include "tests/import/test_files.h"
 
@@ -174,6 +175,45 @@ TEST(ToolReport, OneSidedSurfaceIsHopeless) {
     strip.triangles.push_back({a, d, c});
   }
   EXPECT_THAT(Die(strip).inspect(make_tube(20)).errors, Contains(HasSubstr("no free side")));
+}
+
+TEST(ToolReport, StartAgainstAToolOfEachForm) {
+  // What a run checks, on the surface that it has made already.
+  Die die(make_square_die({}));
+  die.scene.pitch = 0.5;
+  die.scene.height_axis = {-1, -1, 0};
+  for (const char* surface : {"smooth", "facets", "nagata", "points"}) {
+    die.scene.surface = surface;
+    die.scene.flip = false;
+    const auto start = [&](double radius) {
+      const auto tool = make_tool_surface(die.scene, "die", die.folder.path(), 50);
+      return inspect_start(*tool, die.scene, "die", make_tube(radius));
+    };
+    EXPECT_THAT(start(30.5).errors, IsEmpty()) << surface;
+    EXPECT_EQ(start(30.5).place.free_fraction, 1.0);
+    EXPECT_THAT(start(31.0).errors, Contains(HasSubstr("inside the tool"))) << surface;
+    die.scene.unit_scale = 0.001;
+    die.scene.pitch = 0.0005;
+    EXPECT_THAT(start(30.5).errors, Contains(HasSubstr("unit_scale = 1000"))) << surface;
+    die.scene.unit_scale = 1;
+    die.scene.pitch = 0.5;
+    die.scene.flip = true;
+    die.scene.height_axis = {1, 1, 0};
+    EXPECT_THAT(start(26).errors, Contains(HasSubstr("wrong side"))) << surface;
+    die.scene.height_axis = {-1, -1, 0};
+  }
+}
+
+TEST(ToolReport, PointSetsNameLinesThatTheyRound) {
+  const Folder folder;
+  folder.write("roof.grid",
+               "hydroscope-grid 1\ncolumns 5 rows 2\norigin 0 0\npitch 1 1\nheights\n"
+               "0 1 2 1 0\n0 1 2 1 0\n");
+  ToolScene scene;
+  scene.shape = "points";
+  scene.file = "roof.grid";
+  EXPECT_THAT(inspect_tool(scene, "roof", folder.path(), {}).warnings,
+              Contains(AllOf(HasSubstr("tool.roof: 1 lines"), HasSubstr("40 deg"))));
 }
 
 TEST(ToolReport, SheetThatMeetsNothing) {
