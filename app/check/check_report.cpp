@@ -84,6 +84,14 @@ std::string make_text_report(const CheckReport& report, int most_lines) {
           " sidecars, " + std::to_string(report.pictures_compared) + " pictures (" +
           (report.is_same_renderer ? "pixel by pixel" : "by structure") + "), " +
           std::to_string(report.class_passes) + " class passes in " + print_seconds(report.seconds) + " s\n";
+  std::array<char, 120> worst{};
+  if (report.is_same_renderer)
+    std::snprintf(worst.data(), worst.size(),
+                  "pictures differ in at most %.3g %% of their pixels, by at most %d\n",
+                  100.0 * report.largest_share_off, report.largest_difference);
+  else
+    std::snprintf(worst.data(), worst.size(), "least likeness of any window: %.3f\n", report.least_likeness);
+  if (report.pictures_compared > 0) text += worst.data();
   text += "renderer: " + report.renderer + "\n";
   return text + (report.is_passed() ? "as the baseline\n"
                                     : std::to_string(count) + " differences from the baseline\n");

@@ -44,6 +44,9 @@ struct CheckReport {
   int frames = 0;                  ///< of each view
   int sidecars_compared = 0, pictures_compared = 0, class_passes = 0;
   std::string renderer;
+  double largest_share_off = 0.0;  ///< of a picture's pixels
+  int largest_difference = 0;      ///< of a channel of any pixel
+  double least_likeness = 1.0;     ///< of any window
   bool is_same_renderer = true;
   double seconds = 0.0;
 

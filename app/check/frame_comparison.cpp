@@ -23,19 +23,26 @@ std::string describe_size(const Image& image) {
   return std::to_string(image.width) + " x " + std::to_string(image.height);
 }
 
-std::string compare_pixels(const Image& expected, const Image& got, const std::vector<PixelBox>& left_out) {
+PictureVerdict compare_pixels(const Image& expected, const Image& got,
+                              const std::vector<PixelBox>& left_out) {
   const PixelDifference d = calc_pixel_difference(expected, got, kLevels, left_out);
-  if (!d.has_block && d.share() <= kMostPixelsOff) return "";
-  return print("%d pixels (%.3g %%) differ by more than %d levels, the most by %d%s at (%d, %d)", d.off,
-               100.0 * d.share(), kLevels, d.largest, d.has_block ? "; a block of 2 x 2" : "", d.x, d.y);
+  PictureVerdict verdict{"", d.share(), d.largest, 1.0};
+  if (!d.has_block && d.share() <= kMostPixelsOff) return verdict;
+  verdict.text =
+      print("%d pixels (%.3g %%) differ by more than %d levels, the most by %d%s at (%d, %d)", d.off,
+            100.0 * d.share(), kLevels, d.largest, d.has_block ? "; a block of 2 x 2" : "", d.x, d.y);
+  return verdict;
 }
 
-std::string compare_structure(const Image& expected, const Image& got,
-                              const std::vector<PixelBox>& left_out) {
+PictureVerdict compare_structure(const Image& expected, const Image& got,
+                                 const std::vector<PixelBox>& left_out) {
   const StructureDifference d = calc_structure_difference(expected, got, left_out);
-  if (d.worst >= kLeastLikeness) return "";
-  return print("likeness %.3f in the window of %d x %d pixels at (%d, %d); at least %.2f on another renderer",
-               d.worst, kWindow, kWindow, d.x, d.y, kLeastLikeness);
+  PictureVerdict verdict{"", 0.0, 0, d.worst};
+  if (d.worst >= kLeastLikeness) return verdict;
+  verdict.text =
+      print("likeness %.3f in the window of %d x %d pixels at (%d, %d); at least %.2f on another renderer",
+            d.worst, kWindow, kWindow, d.x, d.y, kLeastLikeness);
+  return verdict;
 }
 
 std::string list_nodes(const std::vector<int>& nodes) {
@@ -47,11 +54,11 @@ std::string list_nodes(const std::vector<int>& nodes) {
 
 }  // namespace
 
-std::string compare_pictures(const Image& expected, const Image& got, const PictureRule& rule,
-                             const std::vector<PixelBox>& lettering) {
+PictureVerdict compare_pictures(const Image& expected, const Image& got, const PictureRule& rule,
+                                const std::vector<PixelBox>& lettering) {
   if (expected.width != got.width || expected.height != got.height)
-    return describe_size(got) + " pixels instead of " + describe_size(expected);
-  if (is_blank(got, lettering) && !is_blank(expected, lettering)) return "the picture is blank";
+    return {.text = describe_size(got) + " pixels instead of " + describe_size(expected)};
+  if (is_blank(got, lettering) && !is_blank(expected, lettering)) return {.text = "the picture is blank"};
   const std::vector<PixelBox> left_out = rule.has_same_lettering ? std::vector<PixelBox>{} : lettering;
   return rule.is_same_renderer ? compare_pixels(expected, got, left_out)
                                : compare_structure(expected, got, left_out);

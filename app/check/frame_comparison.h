@@ -17,7 +17,7 @@ namespace hydroscope {
 constexpr int kLevels = 3;
 constexpr double kMostPixelsOff = 1e-4;
 /// On another renderer: likeness of the worst window.
-constexpr double kLeastLikeness = 0.5;
+constexpr double kLeastLikeness = 0.7;
 /// What the forces of a state may leave over, of the sum of their magnitudes. The solver's own
 /// limit is 1e-3 for what is out of balance.
 constexpr double kMostRest = 1e-2;
@@ -32,9 +32,16 @@ struct PictureRule {
   bool has_same_lettering = true;
 };
 
-/// Why a picture is rejected, "" if it is not. `lettering`: left out where it is in another font.
-std::string compare_pictures(const Image& expected, const Image& got, const PictureRule& rule,
-                             const std::vector<PixelBox>& lettering);
+struct PictureVerdict {
+  std::string text;            ///< why the picture is rejected, "" if it is not
+  double share_off = 0.0;      ///< of the pixels; on the same renderer
+  int largest_difference = 0;  ///< of a channel; on the same renderer
+  double likeness = 1.0;       ///< of the worst window; on another renderer
+};
+
+/// `lettering`: boxes with text and legends, which are left out where the font is another one.
+PictureVerdict compare_pictures(const Image& expected, const Image& got, const PictureRule& rule,
+                                const std::vector<PixelBox>& lettering);
 
 /// The boxes that a sidecar lists as lettering.
 std::vector<PixelBox> read_lettering(const Json& sidecar);

@@ -58,11 +58,14 @@ void Checker::compare_picture(const StateFrame& got, const Json& expected_sideca
   std::vector<PixelBox> lettering = read_lettering(expected_sidecar);
   const std::vector<PixelBox> more = read_lettering(got_sidecar);
   lettering.insert(lettering.end(), more.begin(), more.end());
-  const std::string text = compare_pictures(expected.image, got.image, rule_, lettering);
+  const PictureVerdict verdict = compare_pictures(expected.image, got.image, rule_, lettering);
   ++report_.pictures_compared;
-  if (text.empty()) return;
-  report_.findings.push_back({CheckStage::kPixels, got.view, got.frame, text});
-  report_.pictures.push_back({got.view, got.frame, text, expected.image, got.image});
+  report_.largest_share_off = std::max(report_.largest_share_off, verdict.share_off);
+  report_.largest_difference = std::max(report_.largest_difference, verdict.largest_difference);
+  report_.least_likeness = std::min(report_.least_likeness, verdict.likeness);
+  if (verdict.text.empty()) return;
+  report_.findings.push_back({CheckStage::kPixels, got.view, got.frame, verdict.text});
+  report_.pictures.push_back({got.view, got.frame, verdict.text, expected.image, got.image});
 }
 
 void Checker::compare_frame(const StateFrame& got) {

@@ -31,15 +31,30 @@ int calc_largest_difference(const std::uint8_t* a, const std::uint8_t* b) {
   return largest;
 }
 
-/// Similarity of one channel in one window, from sums over its `n` pixels.
-double calc_similarity(double n, double a, double b, double aa, double bb, double ab) {
-  constexpr double kC1 = 0.01 * 255 * 0.01 * 255, kC2 = 0.03 * 255 * 0.03 * 255;
-  const double mean_a = a / n, mean_b = b / n;
-  const double var_a = aa / n - mean_a * mean_a, var_b = bb / n - mean_b * mean_b;
-  const double cov = ab / n - mean_a * mean_b;
-  return (2.0 * mean_a * mean_b + kC1) * (2.0 * cov + kC2) /
-         ((mean_a * mean_a + mean_b * mean_b + kC1) * (var_a + var_b + kC2));
-}
+/// One channel of two pictures in a window.
+struct WindowSums {
+  double n = 0.0, a = 0.0, b = 0.0, aa = 0.0, bb = 0.0, ab = 0.0;
+
+  void add(double p, double q) {
+    n += 1.0;
+    a += p;
+    b += q;
+    aa += p * p;
+    bb += q * q;
+    ab += p * q;
+  }
+
+  double calc_likeness() const {
+    // Larger than usual, so that a few levels in a dark or even window weigh little.
+    constexpr double kC1 = 0.03 * 255 * 0.03 * 255, kC2 = 0.05 * 255 * 0.05 * 255;
+    if (n == 0.0) return 1.0;
+    const double mean_a = a / n, mean_b = b / n;
+    const double var_a = aa / n - mean_a * mean_a, var_b = bb / n - mean_b * mean_b;
+    const double cov = ab / n - mean_a * mean_b;
+    return (2.0 * mean_a * mean_b + kC1) * (2.0 * cov + kC2) /
+           ((mean_a * mean_a + mean_b * mean_b + kC1) * (var_a + var_b + kC2));
+  }
+};
 
 }  // namespace
 
@@ -79,26 +94,17 @@ StructureDifference calc_structure_difference(const Image& expected, const Image
   const std::vector<char> mask = make_mask(expected, left_out);
   const auto width = static_cast<std::size_t>(expected.width);
   StructureDifference result;
-  const auto add_window = [&](int left, int top) {
-    for (int c = 0; c < 3; ++c) {
-      double n = 0.0, a = 0.0, b = 0.0, aa = 0.0, bb = 0.0, ab = 0.0;
-      for (int y = top; y < top + kWindow; ++y)
-        for (int x = left; x < left + kWindow; ++x) {
-          const bool counts = mask[static_cast<std::size_t>(y) * width + static_cast<std::size_t>(x)] != 0;
-          const double p = counts ? expected.pixel(x, y)[c] : 0.0, q = counts ? got.pixel(x, y)[c] : 0.0;
-          n += 1.0;
-          a += p;
-          b += q;
-          aa += p * p;
-          bb += q * q;
-          ab += p * q;
-        }
-      const double likeness = calc_similarity(n, a, b, aa, bb, ab);
-      if (likeness < result.worst) result = {likeness, left, top};
-    }
-  };
-  for (int y = 0; y + kWindow <= expected.height; y += kWindow / 4)
-    for (int x = 0; x + kWindow <= expected.width; x += kWindow / 4) add_window(x, y);
+  for (int top = 0; top + kWindow <= expected.height; top += kWindow / 4)
+    for (int left = 0; left + kWindow <= expected.width; left += kWindow / 4)
+      for (int channel = 0; channel < 3; ++channel) {
+        WindowSums sums;
+        for (int y = top; y < top + kWindow; ++y)
+          for (int x = left; x < left + kWindow; ++x)
+            if (mask[static_cast<std::size_t>(y) * width + static_cast<std::size_t>(x)] != 0)
+              sums.add(expected.pixel(x, y)[channel], got.pixel(x, y)[channel]);
+        const double likeness = sums.calc_likeness();
+        if (likeness < result.worst) result = {likeness, left, top};
+      }
   return result;
 }
 

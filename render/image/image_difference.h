@@ -40,8 +40,7 @@ StructureDifference calc_structure_difference(const Image& expected, const Image
 /// Difference of each channel times `factor`, over a faint picture of what was expected.
 Image make_difference_picture(const Image& expected, const Image& got, int factor = 8);
 
-/// Whether all pixels between the boxes are of one colour, or run evenly from top to bottom: nothing was
-/// drawn.
+/// Whether nothing was drawn: outside of the boxes each row of pixels is of one colour.
 bool is_blank(const Image& image, const std::vector<PixelBox>& left_out = {});
 
 }  // namespace hydroscope
