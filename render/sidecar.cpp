@@ -153,9 +153,9 @@ std::string make_sidecar(const SidecarContext& context, const Snapshot& snapshot
   if (range_names(context.view).size() == 1)
     json.add("nodes_without_value", count_without_value(context.view, snapshot));
   json.add("range", ranges);
-  json.add("balance", make_balance(calc_force_balance(snapshot)));
   json.add("sums", make_sums(snapshot));
   json.add("tools", tools);
+  json.add("balance", make_balance(calc_force_balance(snapshot)));
   json.add("quantities", quantities);
   json.add("camera", make_camera(context.camera));
   const bool is_mirrored = options.is_mirrored && !snapshot.model->mirrors.empty();

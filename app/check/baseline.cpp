@@ -29,7 +29,10 @@ void visit_options(Options& o, const Io& io) {
   io("look_at_node", o.look_at_node);
   io("mirror", o.is_mirrored);
   io("facet_normals", o.facet_normals);
+  io("element_edges", o.element_edges);
   io("tool_opacity", o.tool_opacity);
+  io("cut_tools", o.is_tool_cut);
+  io("most_arrows", o.most_arrows);
 }
 
 Json make_options(const FrameOptions& options) {
