@@ -95,7 +95,7 @@ TEST_F(PictureMutation, OneArrowTurnedRound) {
   expect_rejected(right,
                   paint_changed("tool-normals", last(),
                                 [&](DrawList& list, CameraPose&) { turn_arrow(list.surfaces[1]); }),
-                  "a block of 2 x 2");
+                  "differ by more than 3 levels");
 }
 
 TEST_F(PictureMutation, AllToolNormalsFlipped) {
