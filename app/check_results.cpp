@@ -52,8 +52,9 @@ ExitCode check_results(const Arguments& arguments) {
   if (!arguments.has("--baseline")) throw InputError("check: --baseline BASE is needed");
   const std::filesystem::path baseline = arguments.get("--baseline");
   const StateSequence states(arguments.operands.front());
-  const int threads = std::clamp(static_cast<int>(std::thread::hardware_concurrency()), 1, 8);
-  check_renderer();
+  const int threads = arguments.has("--threads")
+                          ? parse_whole_number("--threads", arguments.get("--threads"), 1, 64)
+                          : std::clamp(static_cast<int>(std::thread::hardware_concurrency()), 1, 8);
   const Interrupt interrupt;
   if (arguments.has("--update")) return update(states, baseline, arguments, threads);
   for (const char* option : {"--views", "--size", "--camera", "--theme", "--set", "--pictures"})

@@ -89,6 +89,7 @@ CommandSyntax make_check() {
        "Folder for junit.xml, index.html and pictures (default: DIR/check).",
        false,
        {}},
+      {"--threads", "", "N", "Threads of the renderer; pictures do not depend on it.", false, {}},
       {"--pictures", "", "N", "With --update: pictures kept of each view (default 6).", false, {}},
       {"--views", "", "A,B", "With --update: sequences to compare.", false, kViews},
       {"--size", "", "WxH", "With --update: pixels of a picture (default 480x270).", false, {}},

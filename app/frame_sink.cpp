@@ -28,7 +28,7 @@ FrameOptions make_frame_options(const FramesScene& frames, int rasteriser_thread
   return options;
 }
 
-std::string check_renderer() { return describe_renderer(); }
+std::string check_renderer(int rasteriser_threads) { return describe_renderer(rasteriser_threads); }
 
 FrameSink make_frame_sink(const FrameJob& job, Progress& progress) {
   FrameOptions options = make_frame_options(job.frames, job.rasteriser_threads);

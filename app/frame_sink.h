@@ -8,7 +8,7 @@
 namespace hydroscope {
 
 /// Draws a test picture and names the renderer; throws EnvironmentError when frames cannot be drawn here.
-std::string check_renderer();
+std::string check_renderer(int rasteriser_threads);
 
 FrameOptions make_frame_options(const FramesScene& frames, int rasteriser_threads);
 

@@ -34,12 +34,12 @@ ExitCode render_results(const Arguments& arguments) {
   if (settings.views.empty()) throw InputError("no views to draw; name some with --views");
   if (arguments.has("--frames")) states = pick_states(states, settings.number);
   const auto model = read_model(folder.path, states.front());
-  const std::string renderer = check_renderer();
 
+  const int threads = std::clamp(static_cast<int>(std::thread::hardware_concurrency()), 1, 8);
+  const std::string renderer = check_renderer(threads);
   const Interrupt interrupt;
   remove_frames(folder, settings.views);
   Progress progress(stderr);
-  const int threads = std::clamp(static_cast<int>(std::thread::hardware_concurrency()), 1, 8);
   const FrameSink frames =
       make_frame_sink({settings, folder, static_cast<int>(states.size()), threads}, progress);
   int drawn = 0;

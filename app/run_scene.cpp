@@ -91,7 +91,7 @@ ExitCode run_scene(const Arguments& arguments) {
   Run run(scene, {threads, &stop});
   const bool has_frames = !arguments.has("--no-frames") && !scene.frames.views.empty();
   check_look_at_node(scene, run.snapshot_model());
-  const std::string renderer = has_frames ? check_renderer() : "";
+  const std::string renderer = has_frames ? check_renderer(1) : "";
   RunRecord record = make_record(scene, overrides, threads);
   record.renderer = renderer;
 

@@ -3,7 +3,6 @@
 #include "render/offscreen_context.h"
 
 #include <GL/gl.h>
-#include <GL/osmesa.h>
 #include <dlfcn.h>
 #include <vtkActor.h>                      // VTK::RenderingCore
 #include <vtkCamera.h>                     // VTK::RenderingCore
@@ -21,14 +20,13 @@
 #include <mutex>
 #include <vector>
 
+#include "render/offscreen_library.h"
 #include "render/vtk_messages.h"
 #include "solver/base/error.h"
 
 namespace {
 
-// ---- libOSMesa, opened when the first picture is wanted ---------------------
-// Linking it would make the loader abort the whole program where it is missing,
-// also for runs without frames; opened by hand, its absence is an ordinary error.
+// ---- OpenGL 1.0 and 1.1, which VTK calls by name ----------------------------
 
 enum GlCall : int {
 #define FORWARD(result, name, parameters, arguments) k_##name,
@@ -45,48 +43,24 @@ constexpr const char* kGlCallNames[kGlCallCount] = {
 
 void* g_gl_calls[kGlCallCount] = {};
 
-struct OSMesaLibrary {
-  decltype(&OSMesaCreateContextAttribs) create_context = nullptr;
-  decltype(&OSMesaDestroyContext) destroy_context = nullptr;
-  decltype(&OSMesaMakeCurrent) make_current = nullptr;
-  decltype(&OSMesaGetCurrentContext) current_context = nullptr;
-  decltype(&OSMesaGetProcAddress) proc_address = nullptr;
-  std::string error;  ///< why it cannot be used; "" = it can
-};
-
-template <typename Function>
-void bind(void* handle, const char* name, Function& function, std::string& error) {
-  function = reinterpret_cast<Function>(dlsym(handle, name));
-  if (function == nullptr && error.empty()) error = std::string("it has no function ") + name;
-}
-
-OSMesaLibrary open_osmesa() {
-  OSMesaLibrary library;
-  // For a Mesa of one's own, and for tests of its absence.
-  const char* chosen = std::getenv("HYDROSCOPE_OSMESA");
-  const std::string name = chosen != nullptr ? chosen : "libOSMesa.so.8";
-  // Never closed: Mesa's and LLVM's exit handlers must find their code.
-  void* handle = dlopen(name.c_str(), RTLD_NOW | RTLD_LOCAL);
-  if (handle == nullptr) {
-    const char* reason = dlerror();
-    library.error = reason != nullptr ? reason : name;
-  } else {
-    bind(handle, "OSMesaCreateContextAttribs", library.create_context, library.error);
-    bind(handle, "OSMesaDestroyContext", library.destroy_context, library.error);
-    bind(handle, "OSMesaMakeCurrent", library.make_current, library.error);
-    bind(handle, "OSMesaGetCurrentContext", library.current_context, library.error);
-    bind(handle, "OSMesaGetProcAddress", library.proc_address, library.error);
-    for (int call = 0; call < kGlCallCount; ++call)
-      bind(handle, kGlCallNames[call], g_gl_calls[call], library.error);
+/// Opened when the first picture is wanted. Linking a library would make the loader abort the
+/// whole program where it is missing, also for runs without frames.
+hydroscope::OffscreenLibrary open_library() {
+  const char* chosen = std::getenv("HYDROSCOPE_RENDERER");
+  const std::string name = chosen != nullptr ? chosen : "osmesa";
+  hydroscope::OffscreenLibrary library;
+  if (name == "egl")
+    library = hydroscope::open_egl();
+  else if (name == "osmesa")
+    library = hydroscope::open_osmesa();
+  else
+    library.error = "HYDROSCOPE_RENDERER is '" + name + "'; there are osmesa and egl";
+  for (int call = 0; call < kGlCallCount && library.error.empty(); ++call) {
+    g_gl_calls[call] = library.find_function(kGlCallNames[call]);
+    if (g_gl_calls[call] == nullptr)
+      library.error =
+          "cannot use the software renderer " + library.name + ": it has no function " + kGlCallNames[call];
   }
-  if (!library.error.empty())
-    library.error = "cannot use the software renderer " + name + ": " + library.error +
-                    " (Debian package: libosmesa6; runs without frames do not need it)";
-  return library;
-}
-
-const OSMesaLibrary& osmesa() {
-  static const OSMesaLibrary library = open_osmesa();
   return library;
 }
 
@@ -114,7 +88,9 @@ GlFunction glXGetProcAddressARB(const GLubyte* name) {
   if (std::strcmp(wanted, "glXGetCurrentDisplay") == 0)
     return reinterpret_cast<GlFunction>(&pretended_display);
   if (std::strncmp(wanted, "glX", 3) == 0) return nullptr;
-  return osmesa().proc_address != nullptr ? osmesa().proc_address(wanted) : nullptr;
+  const hydroscope::OffscreenLibrary& library = hydroscope::offscreen_library();
+  if (library.find_function == nullptr) return nullptr;
+  return reinterpret_cast<GlFunction>(library.find_function(wanted));
 }
 GlFunction glXGetProcAddress(const GLubyte* name) { return glXGetProcAddressARB(name); }
 int glXQueryVersion(void*, int* major, int* minor) {
@@ -137,11 +113,15 @@ const char* __tsan_default_suppressions() { return "race:libOSMesa\nrace:libvtk\
 }
 
 namespace hydroscope {
+
+const OffscreenLibrary& offscreen_library() {
+  static const OffscreenLibrary library = open_library();
+  return library;
+}
+
 namespace {
 
-constexpr int kBufferSize = 16;  // [px] of OSMesa's own buffer: VTK draws into frame buffer objects
-
-/// A current OSMesa context on this thread for as long as it lives.
+/// A current context on this thread for as long as it lives.
 class CurrentContext {
  public:
   explicit CurrentContext(int rasteriser_threads);
@@ -149,14 +129,10 @@ class CurrentContext {
   CurrentContext(const CurrentContext&) = delete;
   CurrentContext& operator=(const CurrentContext&) = delete;
 
-  bool is_current() const { return osmesa().current_context() == context_; }
-  bool make_current() {
-    return osmesa().make_current(context_, buffer_.data(), GL_UNSIGNED_BYTE, kBufferSize, kBufferSize) != 0;
-  }
+  bool make_current() { return offscreen_library().make_current(context_); }
 
  private:
-  OSMesaContext context_ = nullptr;
-  std::vector<unsigned char> buffer_ = std::vector<unsigned char>(4 * kBufferSize * kBufferSize);
+  void* context_ = nullptr;
 };
 
 void set_rasteriser_threads(int threads) {
@@ -166,34 +142,24 @@ void set_rasteriser_threads(int threads) {
 }
 
 CurrentContext::CurrentContext(int rasteriser_threads) {
-  if (!osmesa().error.empty()) throw EnvironmentError(osmesa().error);
+  const OffscreenLibrary& library = offscreen_library();
+  if (!library.error.empty()) throw EnvironmentError(library.error);
   // If another library's names came first, VTK would draw into nothing.
   if (dlsym(RTLD_DEFAULT, "glClear") != reinterpret_cast<void*>(&glClear))
     throw EnvironmentError("this program was linked so that VTK does not find the software renderer");
   set_rasteriser_threads(rasteriser_threads);
-  const int attributes[] = {OSMESA_FORMAT,
-                            OSMESA_RGBA,
-                            OSMESA_DEPTH_BITS,
-                            24,
-                            OSMESA_PROFILE,
-                            OSMESA_CORE_PROFILE,
-                            OSMESA_CONTEXT_MAJOR_VERSION,
-                            3,
-                            OSMESA_CONTEXT_MINOR_VERSION,
-                            2,
-                            0};
-  context_ = osmesa().create_context(attributes, nullptr);
+  context_ = library.create_context();
   if (context_ == nullptr)
-    throw EnvironmentError("the software renderer (libOSMesa) has no OpenGL 3.2 core profile");
+    throw EnvironmentError("the software renderer " + library.name + " has no OpenGL 3.2 core profile");
   if (!make_current()) {
-    osmesa().destroy_context(context_);
-    throw EnvironmentError("the software renderer (libOSMesa) cannot make its context current");
+    library.destroy_context(context_);
+    throw EnvironmentError("the software renderer " + library.name + " cannot make its context current");
   }
 }
 
 CurrentContext::~CurrentContext() {
-  osmesa().make_current(nullptr, nullptr, 0, 0, 0);
-  osmesa().destroy_context(context_);
+  offscreen_library().make_current(nullptr);
+  offscreen_library().destroy_context(context_);
 }
 
 std::string gl_text(GLenum name) {
@@ -245,8 +211,7 @@ OffscreenContext::Impl::~Impl() {
 }
 
 Image OffscreenContext::Impl::draw(int reduction) {
-  if (!context.is_current() && !context.make_current())
-    throw EnvironmentError("the software renderer's context was lost");
+  if (!context.make_current()) throw EnvironmentError("the software renderer's context was lost");
   window->Render();
   const int* size = window->GetSize();
   read_pixels(size[0], size[1]);
@@ -299,9 +264,10 @@ vtkRenderWindow& OffscreenContext::window() { return *impl_->window; }
 const RendererInfo& OffscreenContext::info() const { return impl_->info; }
 Image OffscreenContext::draw(int reduction) { return impl_->draw(reduction); }
 
-std::string describe_renderer() {
-  const OffscreenContext context({.width = 64, .height = 64});
-  return context.info().renderer + ", OpenGL " + context.info().version;
+std::string describe_renderer(int rasteriser_threads) {
+  const OffscreenContext context({.width = 64, .height = 64, .rasteriser_threads = rasteriser_threads});
+  return context.info().renderer + ", OpenGL " + context.info().version + ", through " +
+         offscreen_library().name;
 }
 
 bool is_trusted_renderer(const std::string& gl_renderer) {

@@ -46,8 +46,9 @@ class OffscreenContext {
 };
 
 /// Draws a known picture in a fresh context and names the renderer, for
-/// `--version`; throws EnvironmentError as the context does.
-std::string describe_renderer();
+/// logs; throws EnvironmentError as the context does. As the first context of a process it
+/// decides on the rasteriser's threads.
+std::string describe_renderer(int rasteriser_threads = 1);
 
 /// Whether pictures of this GL_RENDERER can be trusted: softpipe, for one,
 /// silently leaves out colours of cells.

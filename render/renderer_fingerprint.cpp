@@ -85,8 +85,8 @@ std::string calc_hash(const Image& image) {
 
 }  // namespace
 
-RendererFingerprint calc_renderer_fingerprint() {
-  Stage stage({.width = kWidth, .height = kHeight, .smoothing = 2});
+RendererFingerprint calc_renderer_fingerprint(int rasteriser_threads) {
+  Stage stage({.width = kWidth, .height = kHeight, .smoothing = 2, .rasteriser_threads = rasteriser_threads});
   return {stage.info(), lettering_font(), calc_hash(draw_probe(stage)), calc_hash(draw_lettering())};
 }
 

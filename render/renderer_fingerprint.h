@@ -26,6 +26,6 @@ struct RendererFingerprint {
 };
 
 /// Throws EnvironmentError when nothing can be drawn.
-RendererFingerprint calc_renderer_fingerprint();
+RendererFingerprint calc_renderer_fingerprint(int rasteriser_threads = 1);
 
 }  // namespace hydroscope

@@ -42,7 +42,7 @@ class Checker {
 };
 
 void Checker::compare_renderers() {
-  const RendererFingerprint now = calc_renderer_fingerprint();
+  const RendererFingerprint now = calc_renderer_fingerprint(baseline_.options.rasteriser_threads);
   const RendererFingerprint& then = baseline_.fingerprint;
   rule_ = {now.is_same(then), now.has_same_lettering(then)};
   report_.renderer = now.renderer.renderer + ", OpenGL " + now.renderer.version;
@@ -130,7 +130,7 @@ Baseline renew_baseline(const StateSequence& states, const FrameOptions& options
                         const fs::path& folder) {
   Baseline baseline;
   baseline.options = options;
-  baseline.fingerprint = calc_renderer_fingerprint();
+  baseline.fingerprint = calc_renderer_fingerprint(options.rasteriser_threads);
   baseline.states = states.stamps();
   baseline.pictures = pick_pictures(static_cast<int>(states.size()), most_pictures);
   for (const std::string& view : options.views) make_folder(folder / view);

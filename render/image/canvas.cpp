@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <filesystem>
 #include <map>
 #include <mutex>
@@ -22,14 +23,22 @@ namespace {
 
 // Debian's VTK carries URW Gothic alone, whose brackets and figures are hard to
 // read; DejaVu comes with fontconfig and so with VTK itself.
-constexpr const char* kFont = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf";
-constexpr const char* kMonoFont = "/usr/share/fonts/truetype/dejavu/DejaVuSansMono.ttf";
-constexpr const char* kBoldFont = "/usr/share/fonts/truetype/dejavu/DejaVuSans-Bold.ttf";
+struct Fonts {
+  std::string plain, mono, bold;
+  bool are_there = false;
+};
 
-bool has_fonts() {
-  static const bool has = std::filesystem::exists(kFont) && std::filesystem::exists(kBoldFont) &&
-                          std::filesystem::exists(kMonoFont);
-  return has;
+const Fonts& fonts() {
+  static const Fonts found = [] {
+    // For fonts of one's own, and for tests of their absence.
+    const char* chosen = std::getenv("HYDROSCOPE_FONTS");
+    const std::string folder = chosen != nullptr ? chosen : "/usr/share/fonts/truetype/dejavu";
+    Fonts all{folder + "/DejaVuSans.ttf", folder + "/DejaVuSansMono.ttf", folder + "/DejaVuSans-Bold.ttf"};
+    all.are_there = std::filesystem::exists(all.plain) && std::filesystem::exists(all.mono) &&
+                    std::filesystem::exists(all.bold);
+    return all;
+  }();
+  return found;
 }
 
 /// Coverage of the letters' pixels, 0..255, first row on top.
@@ -44,12 +53,13 @@ Lettering draw_letters(const std::string& words, const Canvas::TextStyle& style)
   const vtkNew<vtkTextProperty> property;
   if (style.is_mono) property->SetFontFamilyToCourier();
   if (!style.is_mono) property->SetFontFamilyToArial();
-  if (has_fonts()) {
+  if (fonts().are_there) {
     property->SetFontFamily(VTK_FONT_FILE);
-    property->SetFontFile(style.is_mono ? kMonoFont : style.is_bold ? kBoldFont : kFont);
+    const std::string& file = style.is_mono ? fonts().mono : style.is_bold ? fonts().bold : fonts().plain;
+    property->SetFontFile(file.c_str());
   }
   property->SetFontSize(style.size);
-  property->SetBold(style.is_bold && !has_fonts());
+  property->SetBold(style.is_bold && !fonts().are_there);
   property->SetColor(1.0, 1.0, 1.0);
   const vtkNew<vtkImageData> image;
   int used[2] = {0, 0};
@@ -78,7 +88,7 @@ const Lettering& find_letters(const std::string& words, const Canvas::TextStyle&
 
 }  // namespace
 
-std::string lettering_font() { return has_fonts() ? "DejaVu Sans" : "URW Gothic (built into VTK)"; }
+std::string lettering_font() { return fonts().are_there ? "DejaVu Sans" : "URW Gothic (built into VTK)"; }
 
 void Canvas::blend(int x, int y, Rgb colour, double opacity) {
   if (x < 0 || y < 0 || x >= image_.width || y >= image_.height || opacity <= 0.0) return;

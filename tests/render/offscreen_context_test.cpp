@@ -13,6 +13,7 @@ namespace {
 
 /// Ends the process with 5 and the message when the renderer is refused, as the program does.
 [[noreturn]] void try_renderer_with(const char* variable, const char* value) {
+  setenv("HYDROSCOPE_RENDERER", "osmesa", 1);
   setenv(variable, value, 1);
   try {
     std::fprintf(stderr, "accepted: %s\n", describe_renderer().c_str());
@@ -43,6 +44,11 @@ TEST_F(RendererAtStartDeathTest, ABrokenLibraryIsAReadableError) {
 TEST_F(RendererAtStartDeathTest, ALibraryThatIsNoOSMesaIsAReadableError) {
   EXPECT_EXIT(try_renderer_with("HYDROSCOPE_OSMESA", "libz.so.1"), testing::ExitedWithCode(5),
               "no function OSMesaCreateContextAttribs");
+}
+
+TEST_F(RendererAtStartDeathTest, AnUnknownWayIsAReadableError) {
+  EXPECT_EXIT(try_renderer_with("HYDROSCOPE_RENDERER", "vulkan"), testing::ExitedWithCode(5),
+              "HYDROSCOPE_RENDERER is 'vulkan'; there are osmesa and egl");
 }
 
 TEST_F(RendererAtStartDeathTest, SoftpipeIsRefused) {
