@@ -18,9 +18,9 @@ struct RunRecord {
   std::string scene_text;                           ///< its content
   std::vector<std::string> overrides;               ///< "key=value", in order
   std::map<std::string, std::string> tool_reports;  ///< health of each tool's mesh: tools/NAME.txt
-  std::string renderer;  ///< who draws the frames; empty: nobody
   int threads = 1;
-  double end_time = 0.0;  ///< process time of the whole scene [s]
+  double end_time = 0.0;   ///< process time of the whole scene [s]
+  std::string renderer{};  ///< who draws the frames; empty: nobody
 };
 
 /// Seconds that the program itself spent, for the summary.
