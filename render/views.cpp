@@ -56,7 +56,7 @@ Views::Views(const Snapshot& first, const FrameOptions& options)
     const int copies = static_cast<int>(state.shape.reflections().size());
     const int share_of_arrows =
         std::max(1, options.most_arrows / copies / static_cast<int>(first.model->tools.size()));
-    state.arrow_nodes = find_spread_points(tool.mesh.points, share_of_arrows);
+    state.arrow_nodes = find_spread_points(state.shape.mesh().points, share_of_arrows);
     state.arrow_facets = find_spread_points(state.shape.calc_facet_centres(), share_of_arrows);
     largest_angle_ = std::max(largest_angle_, state.shape.largest_angle());
   }

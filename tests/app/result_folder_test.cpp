@@ -57,7 +57,8 @@ TEST(ResultFolder, ForceRemovesOursAndNothingElse) {
   const std::vector<std::string> ours = {"summary.json",           "history.csv",
                                          ".events.csv.part",       "states/00003.vtp",
                                          "tools/die.vtp",          "frames/contact-map/00001.png",
-                                         "frames/slip/00001.json", "frames/slip.webp"};
+                                         "frames/slip/00001.json", "frames/slip.webp",
+                                         "check/junit.xml",        "check/slip/00001-got.png"};
   const std::vector<std::string> foreign = {"notes.txt", "states/mine.vtp", "frames/slip/best.png",
                                             "paper/summary.json"};
   for (const auto& name : ours) put(folder.path() / name);

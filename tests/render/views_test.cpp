@@ -57,6 +57,36 @@ TEST_F(ViewsOfBulge, FacetNormalsComeOnRequest) {
   EXPECT_EQ(make("tool-normals", options).legend.swatches.size(), without + 1);
 }
 
+TEST_F(ViewsOfBulge, NormalsStandOnPointsOfTheToolThatIsDrawn) {
+  // A tool that reaches over a plane of symmetry is cut there, and loses points.
+  auto model = std::make_shared<SnapshotModel>(*snapshot->model);
+  for (Vec3& x : model->tools[0].mesh.points) x.z() -= 20.0;
+  snapshot->model = model;
+  FrameOptions options;
+  options.is_tool_cut = false;
+  const ToolShape shape(model->tools[0], model->mirrors);
+  ASSERT_LT(shape.mesh().points.size(), model->tools[0].mesh.points.size());
+  std::vector<Vec3f> places;
+  for (const Reflection& reflection : shape.reflections())
+    for (const Vec3& x : shape.mesh().points) places.push_back(reflection.point(x).cast<float>());
+  const DrawList list = make("tool-normals", options);
+  const std::vector<Vec3f>& points = list.surfaces[1].surface->points;
+  constexpr std::size_t kPoints = 48;  // of an arrow; the first is its start
+  ASSERT_GT(points.size(), 100 * kPoints);
+  for (std::size_t i = 0; i < points.size(); i += kPoints)
+    EXPECT_THAT(places, testing::Contains(
+                            testing::Truly([&](const Vec3f& x) { return (x - points[i]).norm() < 1e-4F; })))
+        << "arrow " << i / kPoints;
+}
+
+TEST_F(ViewsOfBulge, AToolThatHasLeftIsNotDrawn) {
+  const std::size_t with = make("contact-map").surfaces.size();
+  EXPECT_GT(with, 1u);
+  snapshot->tool_translation[0].setConstant(std::nan(""));
+  EXPECT_EQ(make("contact-map").surfaces.size(), 1u) << "the wall alone";
+  EXPECT_TRUE(make("tool-normals").surfaces.empty());
+}
+
 TEST_F(ViewsOfBulge, NodesWithoutGapAreNamedInTheLegend) {
   const auto without =
       std::count_if(snapshot->gap.begin(), snapshot->gap.end(), [](double g) { return std::isnan(g); });
