@@ -107,6 +107,15 @@ for state in 00000 00001 00002; do
   cmp "$work/framed/states/$state.vtp" "$work/single/states/$state.vtp" || fail "state $state depends on threads or frames"
 done
 
+# A tool that is taken away is gone from the states, and so from what is drawn of them.
+expect 0 "renderer: llvmpipe" run tests/baselines/leaving.toml -o "$work/leaving" --views contact-map --frames 4 --size 128x96
+grep -q '"present": true' "$work/leaving/frames/contact-map/00001.json" || fail "the tool is there at first"
+grep -q '"present": false' "$work/leaving/frames/contact-map/00005.json" || fail "the tool has left"
+grep -q '"rest_share": [0-9]' "$work/leaving/frames/contact-map/00005.json" || fail "no force balance in the sidecar"
+grep -q '"renderer": "llvmpipe' "$work/leaving/summary.json" || fail "summary.json does not name the renderer"
+expect 0 "frames:" render "$work/leaving" --views contact-map --size 128x96
+grep -q '"present": false' "$work/leaving/frames/contact-map/00005.json" || fail "the tool came back when drawn again"
+
 # Ctrl-C: the increment under way is finished, everything is written.
 "$program" run "$work/quick.toml" -o "$work/stopped" --no-frames --set increment.largest=1e-5 \
   --set increment.smallest=1e-9 >"$work/out" 2>"$work/err" &
