@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The only file that knows OpenGL. See docs/decisions/0002-osmesa-with-debian-vtk.md.
+// Where VTK meets OpenGL. See docs/decisions/0002-osmesa-with-debian-vtk.md.
 #include "render/offscreen_context.h"
 
 #include <GL/gl.h>
