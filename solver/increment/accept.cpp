@@ -73,8 +73,6 @@ void update_contact_history(const Model& model, State& state,
         ++(now.status == ContactStatus::kStick ? report.n_stick : report.n_slip);
       }
       record_change(model, state, t, i, before, now, report);
-      // The tool has stopped the wall: its last rate says nothing about the next increment.
-      if (now.is_active() && !before.is_active()) state.thinning_rate[i] = 0.0;
       if (now.locked > 0) --now.locked;
       if (now.is_releasing && (!now.has_foot || now.foot.gap > 2.0 * model.touch_tolerance()))
         now.is_releasing = false;
@@ -91,7 +89,8 @@ void update_outer_pressure(const Model& model, State& state) {
     for (std::size_t i = 0; i < state.outer_pressure.size(); ++i) {
       if (!state.contacts[t][i].is_active()) continue;
       state.outer_pressure[i] +=
-          std::max(0.0, calc_smoothed_pressure(model, state.contacts[t], state.area, static_cast<int>(i)));
+          std::clamp(calc_smoothed_pressure(model, state.contacts[t], state.area, static_cast<int>(i)), 0.0,
+                     std::abs(state.pressure));
     }
   }
 }
@@ -104,12 +103,8 @@ void accept(const Model& model, const Attempt& attempt, State& state, Scratch& s
   Trial& trial = scratch.trial;
   state.reaction = calc_reactions(model, attempt.loads, scratch);
   update_thickness(model, trial);
-  const double dt = attempt.loads.time - state.time;
-  for (std::size_t i = 0; i < state.wall.size(); ++i) {
-    const double change = trial.configuration.thickness[i] - state.configuration.thickness[i];
-    state.thinning_rate[i] = dt > 0.0 ? change / dt : 0.0;
-  }
   const auto old_contacts = std::move(state.contacts);
+  const double old_time = state.time;
   state.wall = trial.wall;
   state.configuration = trial.configuration;
   state.layers = trial.layers;
@@ -121,6 +116,7 @@ void accept(const Model& model, const Attempt& attempt, State& state, Scratch& s
   state.pressure = attempt.loads.pressure;
   state.volume = attempt.volume;
   state.peak_pressure = std::max(state.peak_pressure, state.pressure);
+  state.last_dt = state.time - old_time;
   ++state.increment;
 
   report.increment = state.increment;

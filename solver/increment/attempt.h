@@ -7,12 +7,12 @@ namespace hydroscope {
 
 /// What an increment is to reach.
 struct Target {
-  double time = 0.0;               ///< process time at its end [s]
-  bool use_volume = false;         ///< the enclosed volume is prescribed, the pressure follows
-  double pressure = 0.0;           ///< [MPa] at the end (pressure control) or first guess
-  double volume = 0.0;             ///< [mm^3] at the end (volume control)
-  bool predicts_thickness = true;  ///< the wall's thickness is foretold and stands still; else it is iterated
-  bool is_turning = false;         ///< a path has just had a corner: points need not flow on
+  double time = 0.0;            ///< process time at its end [s]
+  bool use_volume = false;      ///< the enclosed volume is prescribed, the pressure follows
+  double pressure = 0.0;        ///< [MPa] at the end (pressure control) or first guess
+  double volume = 0.0;          ///< [mm^3] at the end (volume control)
+  bool renews_friction = true;  ///< bounds of friction are brought up to the normal forces in the end
+  bool is_turning = false;      ///< a path has just had a corner: points need not flow on
 };
 
 /// Outcome of one try at an increment; the trial in `scratch` holds its end.
@@ -23,7 +23,8 @@ struct Attempt {
   double volume = 0.0;  ///< reached [mm^3]
   StepLimit limit;      ///< of the predictor
   double residual = 0.0;
-  int iterations = 0;
+  int iterations = 0;       ///< passes, the prediction among them
+  int factorisations = 0;   ///< the prediction's and the corrector's
   int negative_pivots = 0;  ///< of the predictor's matrix: the last state's, under the pressure aimed at
   double compliance = 0.0;  ///< g . K^-1 g of the predictor when it was unstable
 };

@@ -13,6 +13,7 @@ namespace {
 
 // Tension as large as the fluid's share of the node is no noise, whatever the neighbours carry.
 constexpr double kCertainTension = 1.0;
+constexpr double kPatchShare = 0.05;  // of the nodes in contact under tension: a patch lets go, not noise
 
 SlavePoint make_slave_point(const Configuration& c, std::size_t i, const Tool& tool) {
   return {c.triad[i], tool.side * 0.5 * c.thickness[i]};
@@ -110,17 +111,90 @@ Vec3 calc_anchor(const ContactPoint& before, const ContactPoint& now) {
 
 struct ReleaseScale {
   double mean_force = 0.0;  ///< of the nodes pressed by this tool [N]
+  int count = 0;            ///< nodes in contact with it
 };
 
 ReleaseScale calc_release_scale(const std::vector<ContactPoint>& contacts) {
-  double sum = 0.0;
-  int count = 0;
+  ReleaseScale scale;
+  int pressed = 0;
   for (const ContactPoint& c : contacts) {
-    if (!c.is_active() || c.normal_force <= 0.0) continue;
-    sum += c.normal_force;
-    ++count;
+    if (!c.is_active()) continue;
+    ++scale.count;
+    if (c.normal_force <= 0.0) continue;
+    scale.mean_force += c.normal_force;
+    ++pressed;
   }
-  return {count > 0 ? sum / count : 0.0};
+  if (pressed > 0) scale.mean_force /= pressed;
+  return scale;
+}
+
+SpringChange make_spring(const Model& model, const Trial& trial, std::size_t t, std::size_t i, double sign) {
+  const SlavePoint slave = make_slave_point(trial.configuration, i, model.tools[t]);
+  return {static_cast<int>(i), calc_gap_row(slave, trial.contacts[t][i].foot.normal),
+          sign * calc_wall_stiffness(model, trial.area[i])};
+}
+
+void set_free(ContactPoint& c) {
+  c.status = ContactStatus::kFree;
+  c.normal_force = 0.0;
+  c.friction.setZero();
+}
+
+/// Free nodes that have gone through the tool touch it.
+void take_touches(const Model& model, const State& state, std::size_t t, Trial& trial, SetChange& change) {
+  const double through = model.contact.wall_stiffness > 0.0 ? 0.0 : -0.1 * model.touch_tolerance();
+  auto& contacts = trial.contacts[t];
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    ContactPoint& point = contacts[i];
+    if (point.is_active()) continue;
+    const bool is_on_tool = point.has_foot && point.foot.beyond_edge <= 0.5 * model.thickness;
+    if (!is_on_tool || point.foot.gap >= through) continue;
+    point.anchor = calc_anchor(state.contacts[t][i], point);
+    point.status = ContactStatus::kStick;
+    point.friction.setZero();
+    point.friction_normal = 0.0;
+    ++(point.is_releasing ? change.reclosed : change.touched);
+    if (point.is_releasing) point.locked = 5;  // the fluid pushes it back: not a release
+    point.is_releasing = false;
+    change.springs.push_back(make_spring(model, trial, t, i, 1.0));
+  }
+}
+
+/// Nodes that let go: by clear tension, past the tool's edge, and where they are many their neighbours in
+/// contact as far as there is a quarter of that tension. A backed wall lets go together (V9); were a part of
+/// it left hanging, it would bend the rest.
+std::vector<std::size_t> find_releases(const Model& model, const Loads& loads, std::size_t t,
+                                       const Trial& trial) {
+  const auto& contacts = trial.contacts[t];
+  const ReleaseScale scale = calc_release_scale(contacts);
+  const auto is_pulled = [&](std::size_t i, double tolerance) {
+    const ContactPoint& c = contacts[i];
+    const double reference = std::max(std::abs(loads.pressure) * trial.area[i], 0.1 * scale.mean_force);
+    if (c.normal_force < -kCertainTension * reference) return true;
+    return c.locked == 0 && c.normal_force < -tolerance * reference &&
+           calc_smoothed_pressure(model, contacts, trial.area, static_cast<int>(i)) <= 0.0;
+  };
+  std::vector<std::size_t> releases;
+  std::vector<char> is_released(contacts.size(), 0);
+  const auto release = [&](std::size_t i) {
+    is_released[i] = 1;
+    releases.push_back(i);
+  };
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    if (!contacts[i].is_active()) continue;
+    const bool has_left_edge = contacts[i].foot.beyond_edge > 0.5 * model.thickness;
+    if (has_left_edge || is_pulled(i, model.contact.release_tolerance)) release(i);
+  }
+  const bool is_patch = kPatchShare * scale.count <= static_cast<double>(releases.size());
+  for (std::size_t k = 0; is_patch && k < releases.size(); ++k) {
+    for (const int neighbour : model.node_neighbours[releases[k]]) {
+      const auto j = static_cast<std::size_t>(neighbour);
+      if (is_released[j] == 0 && contacts[j].is_active() &&
+          is_pulled(j, 0.25 * model.contact.release_tolerance))
+        release(j);
+    }
+  }
+  return releases;
 }
 
 }  // namespace
@@ -141,9 +215,7 @@ void search_contacts(const Model& model, const Loads& loads, Scratch& s) {
         point.position = trial.configuration.x[i] + slave.offset * slave.triad.v - translation;
         point.has_foot = false;
         if (!is_present) {
-          point.status = ContactStatus::kFree;
-          point.normal_force = 0.0;
-          point.friction.setZero();
+          set_free(point);
           continue;
         }
         // A node in contact is looked for farther: it must not be lost by one long step.
@@ -174,9 +246,7 @@ void evaluate_contacts(const Model& model, const State& state, const Loads& load
     for (std::size_t t = 0; t < model.tools.size(); ++t) {
       ContactPoint& point = trial.contacts[t][i];
       if (point.is_active() && !point.has_foot) {  // slid off or far away: no longer this tool's
-        point.status = ContactStatus::kFree;
-        point.normal_force = 0.0;
-        point.friction.setZero();
+        set_free(point);
       }
       if (!point.is_active()) continue;
       touches = true;
@@ -218,42 +288,14 @@ SetChange update_contact_set(const Model& model, const State& state, const Loads
                              Scratch& s) {
   Trial& trial = s.trial;
   SetChange change;
-  const double through = model.contact.wall_stiffness > 0.0 ? 0.0 : -0.1 * model.touch_tolerance();
   for (std::size_t t = 0; t < model.tools.size(); ++t) {
-    auto& contacts = trial.contacts[t];
-    const ReleaseScale scale = calc_release_scale(contacts);
-    std::vector<int> releases;
-    for (std::size_t i = 0; i < contacts.size(); ++i) {
-      ContactPoint& point = contacts[i];
-      if (!point.is_active()) {
-        const bool is_on_tool = point.has_foot && point.foot.beyond_edge <= 0.5 * model.thickness;
-        if (!is_on_tool || point.foot.gap >= through) continue;
-        point.anchor = calc_anchor(state.contacts[t][i], point);
-        point.status = ContactStatus::kStick;
-        point.friction.setZero();
-        point.friction_normal = 0.0;
-        ++(point.is_releasing ? change.reclosed : change.touched);
-        if (point.is_releasing) point.locked = 5;  // the fluid pushes it back: not a release
-        point.is_releasing = false;
-        continue;
-      }
-      if (!may_release) continue;
-      const double reference = std::max(std::abs(loads.pressure) * trial.area[i], 0.1 * scale.mean_force);
-      const bool is_pulled = point.normal_force < -model.contact.release_tolerance * reference;
-      const bool is_pulled_hard = point.normal_force < -kCertainTension * reference;
-      const bool has_left_edge = point.foot.beyond_edge > 0.5 * model.thickness;
-      if (has_left_edge || is_pulled_hard ||
-          (is_pulled && point.locked == 0 &&
-           calc_smoothed_pressure(model, contacts, trial.area, static_cast<int>(i)) <= 0.0)) {
-        releases.push_back(static_cast<int>(i));
-      }
-    }
-    for (const int i : releases) {  // all at once: a backed wall lets go together (V9)
-      ContactPoint& point = contacts[static_cast<std::size_t>(i)];
-      point.status = ContactStatus::kFree;
+    take_touches(model, state, t, trial, change);
+    if (!may_release) continue;
+    for (const std::size_t i : find_releases(model, loads, t, trial)) {
+      ContactPoint& point = trial.contacts[t][i];
+      change.springs.push_back(make_spring(model, trial, t, i, -1.0));
+      set_free(point);
       point.is_releasing = true;
-      point.normal_force = 0.0;
-      point.friction.setZero();
       ++change.released;
     }
   }

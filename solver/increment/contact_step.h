@@ -23,9 +23,17 @@ void evaluate_contacts(const Model& model, const State& state, const Loads& load
 double calc_smoothed_pressure(const Model& model, const std::vector<ContactPoint>& contacts,
                               const std::vector<double>& area, int node);
 
+/// A spring of the wall (calc_wall_stiffness()) that has come into the matrix, or gone from it (negative).
+struct SpringChange {
+  int node = 0;
+  NodeVector row;
+  double stiffness = 0.0;  ///< [N/mm]; infinite: the constraint is eliminated
+};
+
 /// What changed in the set of touching nodes.
 struct SetChange {
   int touched = 0, released = 0, reclosed = 0;
+  std::vector<SpringChange> springs;  ///< the same in the matrix
   bool any() const { return touched + released + reclosed > 0; }
 };
 

@@ -12,24 +12,31 @@ namespace hydroscope {
 namespace {
 
 /// Local components of a world vector: T^T r.
-Vector to_local(const Scratch& s, const Vector& world) {
+Vector to_local(const std::vector<NodeBasis>& bases, const Vector& world) {
   Vector local = world;
-  for (std::size_t i = 0; i < s.bases.size(); ++i) {
-    if (s.bases[i].is_identity()) continue;
+  for (std::size_t i = 0; i < bases.size(); ++i) {
+    if (bases[i].is_identity()) continue;
     const auto at = static_cast<Eigen::Index>(kDofs * i);
-    local.segment<kDofs>(at) = s.bases[i].transform().transpose() * world.segment<kDofs>(at);
+    local.segment<kDofs>(at) = bases[i].transform().transpose() * world.segment<kDofs>(at);
   }
   return local;
 }
 
-Vector to_world(const Scratch& s, const Vector& local) {
+Vector to_world(const std::vector<NodeBasis>& bases, const Vector& local) {
   Vector world = local;
-  for (std::size_t i = 0; i < s.bases.size(); ++i) {
-    if (s.bases[i].is_identity()) continue;
+  for (std::size_t i = 0; i < bases.size(); ++i) {
+    if (bases[i].is_identity()) continue;
     const auto at = static_cast<Eigen::Index>(kDofs * i);
-    world.segment<kDofs>(at) = s.bases[i].transform() * local.segment<kDofs>(at);
+    world.segment<kDofs>(at) = bases[i].transform() * local.segment<kDofs>(at);
   }
   return world;
+}
+
+Vector without_held(Vector local, const Scratch& s) {
+  for (Eigen::Index j = 0; j < local.size(); ++j) {
+    if (s.is_held[static_cast<std::size_t>(j)] != 0) local[j] = 0.0;
+  }
+  return local;
 }
 
 double calc_diagonal(const Model& model) { return model.law.sheet.material.youngs_modulus * model.thickness; }
@@ -37,6 +44,33 @@ double calc_diagonal(const Model& model) { return model.law.sheet.material.young
 /// What is left of a held row: nothing when eliminated, else the residual with the spring's force.
 double calc_spring_force(const NodeBasis& basis, int k, double residual) {
   return basis.is_eliminated(k) ? 0.0 : residual + basis.stiffness(k) * basis.value(k);
+}
+
+/// Out-of-balance force in the local bases, without the reactions of what is held.
+Vector calc_rest(const Loads& loads, const Scratch& s) {
+  Vector local = to_local(s.bases, s.trial.calc_residual(loads));
+  for (std::size_t i = 0; i < s.bases.size(); ++i) {
+    for (int k = 0; k < s.bases[i].n_held(); ++k) {
+      double& r = local[static_cast<Eigen::Index>(kDofs * i) + k];
+      r = calc_spring_force(s.bases[i], k, r);
+    }
+  }
+  return local;
+}
+
+/// Out-of-balance force with what the springs of constraints lack, in the bases of the factorised
+/// matrix; nothing on what is eliminated.
+Vector calc_factor_force(const Loads& loads, const Scratch& s) {
+  Vector force = s.trial.calc_residual(loads);
+  for (std::size_t i = 0; i < s.bases.size(); ++i) {
+    const NodeBasis& basis = s.bases[i];
+    for (int k = 0; k < basis.n_held(); ++k) {
+      if (basis.is_eliminated(k)) continue;
+      force.segment<kDofs>(static_cast<Eigen::Index>(kDofs * i)) +=
+          basis.stiffness(k) * basis.value(k) * basis.row(k);
+    }
+  }
+  return without_held(to_local(s.factor_bases, force), s);
 }
 
 double calc_force_norm(const Vector& v) {
@@ -58,20 +92,17 @@ void start_trial(const State& state, Scratch& s) {
 void evaluate(const Model& model, const State& state, const Loads& loads, const EvaluationSettings& settings,
               Scratch& s) {
   evaluate_through_wall_stress(model, state, loads, s.trial);
-  evaluate_elements(model, state, loads, settings.assume_flow, s);
+  evaluate_elements(model, state, loads, settings, s);
   evaluate_edge_loads(model, loads, s.trial);
   if (!settings.freeze_thickness) update_thickness(model, s.trial);
   search_contacts(model, loads, s);
 }
 
 Imbalance calc_imbalance(const Model& model, const Loads& loads, const Scratch& s) {
-  const Vector residual = s.trial.calc_residual(loads);
-  const Vector local = to_local(s, residual);
+  const Vector rest = calc_rest(loads, s);
   double sum = 0.0;
   for (std::size_t i = 0; i < s.bases.size(); ++i) {
-    const auto at = static_cast<Eigen::Index>(kDofs * i);
-    NodeVector r = local.segment<kDofs>(at);
-    for (int k = 0; k < s.bases[i].n_held(); ++k) r[k] = calc_spring_force(s.bases[i], k, r[k]);
+    NodeVector r = rest.segment<kDofs>(static_cast<Eigen::Index>(kDofs * i));
     if (s.bases[i].is_identity()) r.tail<2>() /= model.thickness;
     sum += r.squaredNorm();
   }
@@ -80,7 +111,7 @@ Imbalance calc_imbalance(const Model& model, const Loads& loads, const Scratch& 
   const double reference =
       std::max({std::abs(loads.pressure) * calc_force_norm(s.trial.pressure_load),
                 calc_force_norm(s.trial.other_load), calc_force_norm(s.trial.normal_reaction),
-                std::sqrt(reactions), 1e-9 * calc_diagonal(model) * model.thickness});
+                std::sqrt(reactions), 1e-7 * calc_diagonal(model) * model.thickness});
   return {std::sqrt(sum) / reference, reference};
 }
 
@@ -92,39 +123,70 @@ Factorisation factorise(const Model& model, Scratch& s) {
           (k < s.bases[i].n_held() && s.bases[i].is_eliminated(k)) ? 1 : 0;
     }
   }
+  s.factor_bases = s.bases;
+  s.secant.clear();
   s.matrix.eliminate(s.is_held, calc_diagonal(model), s.values);
   s.last_factorisation = s.solver.factorise(s.values);
   s.factorisations += s.last_factorisation.factorisations;
   return s.last_factorisation;
 }
 
+double calc_work(const Loads& loads, const Vector& q, const Scratch& s) {
+  const Vector rest = calc_rest(loads, s);
+  double work = 0.0;
+  for (std::size_t i = 0; i < s.bases.size(); ++i) {
+    const auto at = static_cast<Eigen::Index>(kDofs * i);
+    work += s.bases[i].to_local_displacement(q.segment<kDofs>(at)).dot(rest.segment<kDofs>(at));
+  }
+  return work;
+}
+
 Solution solve(const Model& model, const Loads& loads, bool use_volume, double volume_gap, Scratch& s) {
   const PhaseTimer timer(s.times.solve);
-  const double diagonal = calc_diagonal(model);
-  Vector prescribed = Vector::Zero(s.matrix.size()), springs = prescribed;
+  Vector prescribed = Vector::Zero(s.matrix.size());
   for (std::size_t i = 0; i < s.bases.size(); ++i) {
     for (int k = 0; k < s.bases[i].n_held(); ++k) {
-      const auto at = static_cast<Eigen::Index>(kDofs * i) + k;
-      const double value = s.bases[i].value(k);
-      (s.bases[i].is_eliminated(k) ? prescribed[at] : springs[at]) =
-          s.bases[i].is_eliminated(k) ? value : s.bases[i].stiffness(k) * value;
+      if (!s.bases[i].is_eliminated(k)) continue;
+      prescribed[static_cast<Eigen::Index>(kDofs * i) + k] = s.bases[i].value(k);
     }
   }
-  Vector rhs = to_local(s, s.trial.calc_residual(loads)) + springs - s.matrix.multiply(prescribed);  // (4.58)
-  Vector load = to_local(s, s.trial.pressure_load);
-  for (Eigen::Index j = 0; j < rhs.size(); ++j) {
-    if (s.is_held[static_cast<std::size_t>(j)] == 0) continue;
-    rhs[j] = diagonal * prescribed[j];
-    load[j] = 0.0;
-  }
   Solution solution;
-  solution.q = to_world(s, s.solver.solve(rhs));
-  if (!use_volume) return solution;
-  const Vector per_pressure = to_world(s, s.solver.solve(load));  // mechanics 3.4
-  solution.compliance = s.trial.pressure_load.dot(per_pressure);
-  solution.pressure_change = (volume_gap - s.trial.pressure_load.dot(solution.q)) / solution.compliance;
-  solution.q += solution.pressure_change * per_pressure;
+  solution.force = calc_factor_force(loads, s);
+  const Vector rhs = without_held(solution.force - s.matrix.multiply(prescribed), s) +
+                     calc_diagonal(model) * prescribed;  // (4.58)
+  solution.q = to_world(s.factor_bases, s.secant.solve(s.solver, rhs));
+  if (use_volume) {
+    const Vector load = without_held(to_local(s.factor_bases, s.trial.pressure_load), s);
+    const Vector per_pressure = to_world(s.factor_bases, s.secant.solve(s.solver, load));  // mechanics 3.4
+    solution.compliance = s.trial.pressure_load.dot(per_pressure);
+    solution.pressure_change = (volume_gap - s.trial.pressure_load.dot(solution.q)) / solution.compliance;
+    solution.q += solution.pressure_change * per_pressure;
+  }
+  solution.work = calc_work(loads, solution.q, s);
   return solution;
+}
+
+bool learn_springs(const std::vector<SpringChange>& changes, Scratch& s) {
+  const PhaseTimer timer(s.times.solve);
+  for (const SpringChange& change : changes) {
+    Vector row = Vector::Zero(s.matrix.size());
+    const auto at = static_cast<Eigen::Index>(kDofs * change.node);
+    row.segment<kDofs>(at) =
+        s.factor_bases[static_cast<std::size_t>(change.node)].transform().transpose() * change.row;
+    if (!s.secant.add_spring(s.solver, without_held(row, s), change.stiffness)) return false;
+  }
+  return true;
+}
+
+void learn_step(const Solution& solution, double scale, const Loads& loads, Scratch& s) {
+  Vector step = solution.q;
+  for (std::size_t i = 0; i < s.factor_bases.size(); ++i) {
+    const auto at = static_cast<Eigen::Index>(kDofs * i);
+    step.segment<kDofs>(at) = s.factor_bases[i].to_local_displacement(solution.q.segment<kDofs>(at));
+  }
+  const Vector load = without_held(to_local(s.factor_bases, s.trial.pressure_load), s);
+  s.secant.add_step(scale * without_held(step, s),
+                    solution.force + scale * solution.pressure_change * load - calc_factor_force(loads, s));
 }
 
 double calc_volume(const Model& model, const State& state, const Scratch& s) {

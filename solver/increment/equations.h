@@ -1,15 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "solver/increment/scratch.h"
+#include "solver/increment/contact_step.h"
+#include "solver/increment/evaluate.h"
 
 namespace hydroscope {
-
-/// How a trial is evaluated.
-struct EvaluationSettings {
-  bool assume_flow = false;       ///< the tangent is a predictor's
-  bool freeze_thickness = false;  ///< keep the nodes' thickness as it is
-};
 
 /// Everything of the trial configuration at these loads: contacts, elements,
 /// forces, matrix. The trial must hold a configuration and contact points.
@@ -31,16 +26,30 @@ Imbalance calc_imbalance(const Model& model, const Loads& loads, const Scratch& 
 /// Factorises the assembled matrix with the held degrees of freedom eliminated.
 Factorisation factorise(const Model& model, Scratch& scratch);
 
-/// Solves K q = residual with the prescribed values of the bases; with
-/// volume control, `volume_gap` [mm^3] is what the enclosed volume still lacks.
-/// Returns the displacements (u, alpha, beta) in world terms and the change of pressure.
+/// A correction (or prediction) and what it is expected to do.
 struct Solution {
-  Vector q;
-  double pressure_change = 0.0;
+  Vector q;                      ///< displacements (u, alpha, beta) in world terms
+  double pressure_change = 0.0;  ///< [MPa]
+  double work = 0.0;             ///< q . out-of-balance force [N mm]
+  Vector force;                  ///< out-of-balance force in the factor's bases
   double compliance =
       0.0;  ///< g . K^-1 g [mm^3/MPa]: negative past a limit point of pressure (volume control)
 };
+
+/// Solves K q = residual with the prescribed values of the bases and the matrix factorised last, as far
+/// as the steps since have not taught better; with volume control, `volume_gap` [mm^3] is what the
+/// enclosed volume still lacks.
 Solution solve(const Model& model, const Loads& loads, bool use_volume, double volume_gap, Scratch& scratch);
+
+/// Work of the out-of-balance force of the trial on displacements `q` [N mm].
+double calc_work(const Loads& loads, const Vector& q, const Scratch& scratch);
+
+/// Springs of contacts that came or went since the factorisation. False when the matrix must be
+/// factorised again.
+bool learn_springs(const std::vector<SpringChange>& changes, Scratch& scratch);
+
+/// What `scale` times `solution` has changed in the out-of-balance force teaches the solver for later passes.
+void learn_step(const Solution& solution, double scale, const Loads& loads, Scratch& scratch);
 
 /// Enclosed volume of the trial [mm^3]: the state's plus what the surface has
 /// swept, with the load vector at mid-way.

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "solver/increment/edge_load.h"
 #include "solver/loading/pressure.h"
 
 namespace hydroscope {
@@ -17,9 +18,9 @@ Eigen::Matrix<double, 3, kDofs> calc_point_map(const Triad& t, double offset) {
   return map;
 }
 
-/// Load of unit pressure on the chosen surface, and p times its stiffness taken off `stiffness`.
+/// Load of unit pressure on the chosen surface; p times its stiffness is taken off `stiffness`, if given.
 ElementVector add_pressure(const Model& model, const ElementNodes& nodes, double pressure,
-                           ElementMatrix& stiffness) {
+                           ElementMatrix* stiffness) {
   std::array<Vec3, 4> x;
   std::array<Eigen::Matrix<double, 3, kDofs>, 4> map;
   std::array<double, 4> offset{};
@@ -33,20 +34,20 @@ ElementVector add_pressure(const Model& model, const ElementNodes& nodes, double
   for (std::size_t a = 0; a < 4; ++a) {
     f.segment<kDofs>(static_cast<Eigen::Index>(kDofs * a)) = map[a].transpose() * load[a];
   }
-  if (pressure == 0.0 || !model.use_load_stiffness) return f;
+  if (stiffness == nullptr || pressure == 0.0 || !model.use_load_stiffness) return f;
   const auto k = calc_pressure_stiffness(x);
   for (std::size_t a = 0; a < 4; ++a) {
     const auto ia = static_cast<Eigen::Index>(kDofs * a);
     for (std::size_t b = 0; b < 4; ++b) {
       const auto ib = static_cast<Eigen::Index>(kDofs * b);
       if (model.use_inner_surface) {
-        stiffness.block<kDofs, kDofs>(ia, ib) -= pressure * (map[a].transpose() * k[a][b] * map[b]);
+        stiffness->block<kDofs, kDofs>(ia, ib) -= pressure * (map[a].transpose() * k[a][b] * map[b]);
       } else {
-        stiffness.block<3, 3>(ia, ib) -= pressure * k[a][b];
+        stiffness->block<3, 3>(ia, ib) -= pressure * k[a][b];
       }
     }
     const double turn = pressure * offset[a] * nodes.triad[a].v.dot(load[a]);
-    stiffness.block<2, 2>(ia + 3, ia + 3).diagonal().array() += turn;
+    stiffness->block<2, 2>(ia + 3, ia + 3).diagonal().array() += turn;
   }
   return f;
 }
@@ -100,8 +101,8 @@ Scratch::Scratch(const Model& model, int threads)
   trial.wall.assign(n, model.thickness);
 }
 
-void evaluate_elements(const Model& model, const State& state, const Loads& loads, bool assume_flow,
-                       Scratch& s) {
+void evaluate_elements(const Model& model, const State& state, const Loads& loads,
+                       const EvaluationSettings& settings, Scratch& s) {
   const PhaseTimer timer(s.times.assemble);
   Trial& trial = s.trial;
   trial.layers.resize(state.layers.size());
@@ -110,21 +111,22 @@ void evaluate_elements(const Model& model, const State& state, const Loads& load
   s.pool.for_ranges(model.quads.size(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t e = begin; e < end; ++e) {
       const ElementNodes nodes = gather_nodes(model, trial.configuration, e);
-      ElementSettings settings;
-      settings.assume_flow = assume_flow;
+      ElementMatrix* stiffness = settings.with_stiffness ? &s.element_matrices[e] : nullptr;
+      ElementSettings element;
+      element.assume_flow = settings.assume_flow;
       for (std::size_t a = 0; a < 4; ++a) {
         const auto i = static_cast<std::size_t>(model.quads[e][a]);
-        settings.sigma33.start[a] = state.sigma33[i];
-        settings.sigma33.end[a] = trial.sigma33[i];
+        element.sigma33.start[a] = state.sigma33[i];
+        element.sigma33.end[a] = trial.sigma33[i];
       }
       s.responses[e] = evaluate_element(model.law, gather_nodes(model, state.configuration, e), nodes,
                                         {std::span(state.layers).subspan(e * n_l, n_l),
                                          std::span(state.gauss).subspan(e * kGaussPoints, kGaussPoints)},
-                                        settings,
+                                        element,
                                         {std::span(trial.layers).subspan(e * n_l, n_l),
                                          std::span(trial.gauss).subspan(e * kGaussPoints, kGaussPoints)},
-                                        &s.element_matrices[e]);
-      s.pressure_loads[e] = add_pressure(model, nodes, loads.pressure, s.element_matrices[e]);
+                                        stiffness);
+      s.pressure_loads[e] = add_pressure(model, nodes, loads.pressure, stiffness);
     }
   });
   s.pool.for_ranges(static_cast<std::size_t>(model.n_nodes()),
@@ -137,6 +139,26 @@ void evaluate_elements(const Model& model, const State& state, const Loads& load
     }
     trial.plastic_increment = std::max(trial.plastic_increment, s.responses[e].plastic_increment);
   }
+}
+
+std::vector<double> calc_nodal_areas(const Model& model, const Configuration& configuration) {
+  std::vector<double> areas(configuration.x.size(), 0.0);
+  for (std::size_t e = 0; e < model.quads.size(); ++e) {
+    const auto& quad = model.quads[e];
+    for (int g = 0; g < kGaussPoints; ++g) {
+      const Vec2 at = gauss_point(g);
+      const ShapeFunctions s = calc_shape_functions(at[0], at[1]);
+      Vec3 g1 = Vec3::Zero(), g2 = Vec3::Zero();
+      for (std::size_t a = 0; a < 4; ++a) {
+        const Vec3& x = configuration.x[static_cast<std::size_t>(quad[a])];
+        g1 += s.n1[a] * x;
+        g2 += s.n2[a] * x;
+      }
+      const double area = g1.cross(g2).norm();
+      for (std::size_t a = 0; a < 4; ++a) areas[static_cast<std::size_t>(quad[a])] += s.n[a] * area;
+    }
+  }
+  return areas;
 }
 
 void update_thickness(const Model& model, Trial& trial) {
@@ -166,14 +188,9 @@ void update_thickness(const Model& model, Trial& trial) {
 void evaluate_edge_loads(const Model& model, const Loads& loads, Trial& trial) {
   trial.other_load.setZero();
   for (const EdgeLoad& edge : model.edge_loads) {
-    const Vec3 dead(edge.force_x(loads.time), edge.force_y(loads.time), 0.0);
-    const double tension = edge.tension(loads.time);
     for (std::size_t k = 0; k < edge.nodes.size(); ++k) {
-      const auto i = static_cast<std::size_t>(edge.nodes[k]),
-                 j = static_cast<std::size_t>(edge.inner_nodes[k]);
-      const Vec3 tangent = (trial.configuration.x[i] - trial.configuration.x[j]).normalized();
-      trial.other_load.segment<3>(static_cast<Eigen::Index>(kDofs * i)) +=
-          edge.widths[k] * (dead + tension * tangent);
+      trial.other_load.segment<3>(static_cast<Eigen::Index>(kDofs * edge.nodes[k])) +=
+          calc_edge_load(edge, k, trial.configuration, loads.time);
     }
   }
 }
@@ -181,8 +198,11 @@ void evaluate_edge_loads(const Model& model, const Loads& loads, Trial& trial) {
 void evaluate_through_wall_stress(const Model& model, const State& state, const Loads& loads, Trial& trial) {
   trial.sigma33.assign(state.sigma33.size(), 0.0);
   if (!model.use_through_wall_stress) return;
+  const double share =
+      state.last_dt > 0.0 ? std::clamp((loads.time - state.time) / state.last_dt, 0.0, 1.0) : 0.0;
   for (std::size_t i = 0; i < trial.sigma33.size(); ++i) {
-    trial.sigma33[i] = -0.5 * (loads.pressure + state.outer_pressure[i]);
+    const double applied = -2.0 * state.sigma33[i] - state.pressure;
+    trial.sigma33[i] = -0.5 * (loads.pressure + applied + share * (state.outer_pressure[i] - applied));
   }
 }
 

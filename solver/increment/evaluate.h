@@ -5,11 +5,18 @@
 
 namespace hydroscope {
 
-/// Internal force, pressure load and (always) the element matrices of the
-/// trial configuration, integrated from `state`. Thickness follows from volume
-/// over area at the nodes afterwards (see update_thickness()). `assume_flow`: the tangent is a predictor's.
-void evaluate_elements(const Model& model, const State& state, const Loads& loads, bool assume_flow,
-                       Scratch& scratch);
+/// How a trial is evaluated.
+struct EvaluationSettings {
+  bool assume_flow = false;       ///< the tangent is a predictor's
+  bool freeze_thickness = false;  ///< keep the nodes' thickness as it is
+  bool with_stiffness = false;    ///< element matrices too
+};
+
+/// Internal force, pressure load and, on demand, the element matrices of the trial configuration,
+/// integrated from `state`. Thickness follows from volume over area at the nodes afterwards (see
+/// update_thickness()).
+void evaluate_elements(const Model& model, const State& state, const Loads& loads,
+                       const EvaluationSettings& settings, Scratch& scratch);
 
 /// Wall thickness, volume over area at each node [mm], and from it the h of the
 /// kinematics and of the contact points: where elements are shorter than the
@@ -18,6 +25,9 @@ void evaluate_elements(const Model& model, const State& state, const Loads& load
 /// would be pressed into the mid-surface as curvature wherever a tool holds it.
 /// Kept apart from evaluate_elements() so that a tangent can be checked with it frozen.
 void update_thickness(const Model& model, Trial& trial);
+
+/// Tributary mid-surface area of each node [mm^2].
+std::vector<double> calc_nodal_areas(const Model& model, const Configuration& configuration);
 
 /// Line loads on edges (dead forces, tension along the current tangent).
 void evaluate_edge_loads(const Model& model, const Loads& loads, Trial& trial);

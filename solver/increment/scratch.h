@@ -9,6 +9,7 @@
 #include "solver/system/block_matrix.h"
 #include "solver/system/linear_solver.h"
 #include "solver/system/node_basis.h"
+#include "solver/system/secant_updates.h"
 
 namespace hydroscope {
 
@@ -70,6 +71,8 @@ struct Scratch {
   std::vector<ElementVector> pressure_loads;
   std::vector<NodeBlock> node_blocks;
   std::vector<NodeBasis> bases;
+  SecantUpdates secant;
+  std::vector<NodeBasis> factor_bases;  ///< those that the factorised matrix stands in
   std::vector<char> is_held;
   std::vector<double> values;
   std::vector<std::vector<std::array<int, 2>>> node_elements;  ///< (element, local node) of each node

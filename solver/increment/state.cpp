@@ -43,7 +43,6 @@ State make_initial_state(const Model& model) {
                         std::span(s.gauss).subspan(e * kGaussPoints, kGaussPoints)});
   }
   s.contacts.assign(model.tools.size(), std::vector<ContactPoint>(n));
-  s.thinning_rate.assign(n, 0.0);
   s.recent_strain.assign(n_e, 0.0);
   s.sigma33.assign(n, 0.0);
   s.outer_pressure.assign(n, 0.0);

@@ -21,7 +21,6 @@ struct State {
   std::vector<LayerState> layers;                   ///< elements x 4 x n_z
   std::vector<GaussState> gauss;                    ///< elements x 4
   std::vector<std::vector<ContactPoint>> contacts;  ///< one list a tool, one entry a node
-  std::vector<double> thinning_rate;                ///< dh/dt of the last increment, a node [mm/s]
   std::vector<double>
       recent_strain;            ///< an element: plastic strain of late, per strain of the fastest element
   std::vector<double> sigma33;  ///< a node [MPa]
@@ -30,6 +29,7 @@ struct State {
   std::vector<double> area;            ///< tributary mid-surface area of a node [mm^2]
   std::vector<Vec3> reaction;          ///< of the supports, a node [N]
   double time = 0.0, pressure = 0.0, volume = 0.0;  ///< [s], [MPa], [mm^3]
+  double last_dt = 0.0;                             ///< length of the last increment [s]
   int increment = 0;
   bool is_at_corner = true;  ///< a path turned at `time`
   double next_dt = 0.0;      ///< increment to try next [s]

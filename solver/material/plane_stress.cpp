@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/material/plane_stress.h"
 
+#include <Eigen/Eigenvalues>
 #include <cmath>
 
 #include "solver/base/error.h"
@@ -21,45 +22,56 @@ Mat3 invert_orthotropic(const Mat3& m) {
   return inverse;
 }
 
-/// Where the return ends: plastic multiplier and all that follows from it.
+/// Where the return ends: plastic multiplier and all that follows from it. In the modes of (C^-1, P) the
+/// stress is s_i = a_i / (1 + gamma lambda_i).
 struct Return {
   double gamma = 0.0;
-  Mat3 moduli;  ///< Xi = (C^-1 + gamma P)^-1
-  Vec3 stress;
+  Vec3 modal;  ///< s_i
   double equivalent = 0.0;
   double plastic_strain = 0.0;
   double slope = 0.0;
 };
 
-Return evaluate_return(const SheetLaw& law, const Vec3& elastic_strain, double ep, double gamma) {
-  Return r;
-  r.gamma = gamma;
-  r.moduli = invert_orthotropic(law.compliance + gamma * law.yield_matrix);
-  r.stress = r.moduli * elastic_strain;
-  r.equivalent = calc_equivalent_stress(law.yield_matrix, r.stress);
-  r.plastic_strain = ep + 2.0 / 3.0 * gamma * r.equivalent;
-  return r;
+/// Where between elastic and plastic an overstress of the trial lies.
+struct Onset {
+  double inside = 0.0;      ///< distance of the end from the yield surface [MPa]
+  double flow_share = 1.0;  ///< d inside / d overstress + 1
+};
+Onset calc_onset(double overstress, double band) {
+  if (overstress >= band) return {};
+  const double elastic_share = 0.5 * (band - overstress) / band;
+  return {elastic_share * elastic_share * band, 1.0 - elastic_share};
 }
 
-/// Safeguarded Newton on f(gamma) = sbar(gamma) - sy(ep + 2/3 gamma sbar).
-Return find_return(const SheetLaw& law, const Vec3& elastic_strain, double ep, double start_stress) {
+/// Safeguarded Newton on f(gamma) / sbar(gamma), f = sbar - sy(ep + 2/3 gamma sbar) + inside: 1 / sbar is
+/// almost linear in gamma, so that even large increments take few passes.
+Return find_return(const SheetLaw& law, const Vec3& modal_trial, double ep, double start_stress,
+                   double inside) {
   double low = 0.0, high = -1.0;
-  double gamma = 0.0;
+  Return r;
   for (int iteration = 0; iteration < 100; ++iteration) {
-    Return r = evaluate_return(law, elastic_strain, ep, gamma);
+    double square = 0.0, fall = 0.0;  // sum of lambda s^2, and minus half its derivative
+    for (Eigen::Index i = 0; i < 3; ++i) {
+      const double lambda = law.eigenvalues[i], share = 1.0 / (1.0 + r.gamma * lambda);
+      r.modal[i] = modal_trial[i] * share;
+      const double energy = lambda * r.modal[i] * r.modal[i];
+      square += energy;
+      fall += energy * lambda * share;
+    }
+    r.equivalent = std::sqrt(1.5 * square);
+    r.plastic_strain = ep + 2.0 / 3.0 * r.gamma * r.equivalent;
     const auto flow = law.material.hardening(r.plastic_strain);
     r.slope = flow.slope;
-    const double f = r.equivalent - flow.stress;
-    if (std::abs(f) <= 1e-13 * start_stress) return r;
-    (f > 0.0 ? low : high) = gamma;
+    const double f = r.equivalent - flow.stress + inside;
+    if (std::abs(f) <= 1e-12 * start_stress) return r;
+    (f > 0.0 ? low : high) = r.gamma;
     if (high >= 0.0 && high - low <= 1e-15 * high) return r;
-    const Vec3 ps = law.yield_matrix * r.stress;
-    const double dq = -1.5 / r.equivalent * ps.dot(r.moduli * ps);  // d sbar / d gamma
-    const double slope = dq - flow.slope * 2.0 / 3.0 * (r.equivalent + gamma * dq);
-    double next = gamma - f / slope;
+    const double dq = -1.5 / r.equivalent * fall;  // d sbar / d gamma
+    const double slope = dq - flow.slope * 2.0 / 3.0 * (r.equivalent + r.gamma * dq);
+    double next = r.gamma - f / (slope - f * dq / r.equivalent);
     const bool is_outside = next <= low || (high >= 0.0 && next >= high) || !std::isfinite(next);
     if (is_outside) next = high >= 0.0 ? 0.5 * (low + high) : 2.0 * low + 1e-12;
-    gamma = next;
+    r.gamma = next;
   }
   throw ContractError("plane-stress return mapping did not converge");
 }
@@ -94,7 +106,13 @@ SheetLaw::SheetLaw(const SheetMaterial& m)
     : material(m),
       elasticity(m.calc_elasticity()),
       compliance(invert_orthotropic(elasticity)),
-      yield_matrix(m.calc_yield_matrix()) {}
+      yield_matrix(m.calc_yield_matrix()) {
+  // The normal block: P and C^-1 are diagonal together in the modes of L^T P L with C = L L^T.
+  const Mat3 root = elasticity.llt().matrixL();
+  const Eigen::SelfAdjointEigenSolver<Mat3> solver(Mat3(root.transpose() * yield_matrix * root));
+  modes = root * solver.eigenvectors();
+  eigenvalues = solver.eigenvalues();
+}
 
 double calc_equivalent_stress(const Mat3& p, const Vec3& s) { return std::sqrt(1.5 * s.dot(p * s)); }
 
@@ -110,22 +128,29 @@ StressUpdate update_stress(const SheetLaw& law, const MaterialPoint& start, cons
   if (!m.hardening.is_plastic()) return out;
   const double flow_stress = m.hardening(start.plastic_strain).stress;
   const double trial_stress = calc_equivalent_stress(law.yield_matrix, trial);
-  if (trial_stress <= flow_stress) {
+  const double band = m.yield_rounding * flow_stress, overstress = trial_stress - flow_stress;
+  if (overstress <= -band) {
     constexpr double kOnSurface = 1.0 - 1e-8;
     if (assume_flow && trial_stress > kOnSurface * flow_stress)
       out.tangent = calc_flow_tangent(law, out.point);
     return out;
   }
 
-  const Return r = find_return(law, law.compliance * trial, start.plastic_strain, trial_stress);
-  const Vec3 ps = law.yield_matrix * r.stress;
-  const Vec3 direction = r.moduli * ps;
+  const Onset onset = calc_onset(overstress, band);
+  const Return r = find_return(law, law.modes.transpose() * (law.compliance * trial), start.plastic_strain,
+                               trial_stress, onset.inside);
+  const Vec3 shares = (1.0 + r.gamma * law.eigenvalues.array()).inverse();
+  const Mat3 moduli = law.modes * shares.asDiagonal() * law.modes.transpose();  // (C^-1 + gamma P)^-1
+  const Vec3 weighted = law.eigenvalues.cwiseProduct(r.modal);
+  const Vec3 direction = law.modes * shares.cwiseProduct(weighted);  // moduli P s
+  const double curvature = shares.dot(weighted.cwiseAbs2());         // s P moduli P s
   const double hardening =
       4.0 / 9.0 * r.slope * r.equivalent * r.equivalent / (1.0 - 2.0 / 3.0 * r.gamma * r.slope);
-  out.tangent = r.moduli - direction * direction.transpose() / (ps.dot(direction) + hardening);
-  out.point = {r.stress, r.plastic_strain};
+  out.tangent = moduli - onset.flow_share / (curvature + hardening) * direction * direction.transpose();
+  out.point = {law.modes * r.modal, r.plastic_strain};
   out.is_plastic = true;
   out.plastic_increment = r.plastic_strain - start.plastic_strain;
+  if (assume_flow) out.tangent = calc_flow_tangent(law, out.point);
   return out;
 }
 

@@ -14,6 +14,7 @@ struct SheetMaterial {
   double poisson = 0.0;
   double r0 = 1.0, r45 = 1.0, r90 = 1.0;  ///< Lankford values; all 1: J2
   Hardening hardening;
+  double yield_rounding = 0.0;  ///< half width of the rounded onset of yielding, of the flow stress; 0: sharp
 
   double shear_modulus() const { return youngs_modulus / (2.0 * (1.0 + poisson)); }
   /// C of plane stress (mechanics 2.1).
@@ -33,6 +34,8 @@ struct SheetLaw {
   explicit SheetLaw(const SheetMaterial& m = {});
   SheetMaterial material;
   Mat3 elasticity, compliance, yield_matrix;
+  Mat3 modes;        ///< columns v_i with v_i . C^-1 v_j = delta_ij and v_i . P v_j = lambda_i delta_ij
+  Vec3 eigenvalues;  ///< lambda_i [MPa]
 };
 
 struct StressUpdate {
@@ -48,6 +51,10 @@ struct StressUpdate {
 /// [MPa] is taken off first: (1 - 2 nu)/E d sigma33 on both normal strains.
 /// With `assume_flow` a point that stands on its yield surface is given the
 /// continuum elastoplastic tangent even before it moves: what a predictor needs.
+/// With `yield_rounding` rho the elastic trial turns plastic over a band of +-rho of the flow stress
+/// instead of at a corner: within it the return ends inside the surface by (band - overstress)^2 / (4 band).
+/// Points that flow on are not touched by it; points in neutral loading, which a backed wall has by the
+/// thousand, no longer switch between two moduli a hundredfold apart.
 /// Throws ContractError when the local iteration fails (never seen for
 /// hardening with a slope >= 0).
 StressUpdate update_stress(const SheetLaw& law, const MaterialPoint& start, const Vec3& strain_increment,

@@ -60,6 +60,7 @@ struct MaterialScene {  // [material]
   std::vector<std::array<double, 2>> table;               // table = [[plastic strain, MPa], ...]
   std::string yield = "j2";                               // j2 | hill48 (axis 1 along the tube axis / strip)
   double r0 = 1.0, r45 = 1.0, r90 = 1.0;
+  double yield_rounding = 0.0005;  // yield_rounding: half width of the onset of yielding, of the flow stress
 };
 
 struct ShellScene {  // [shell]
@@ -132,13 +133,13 @@ struct IncrementScene {          // [increment]
   double initial = 0.0;          // initial_s: 0 = 1/100 of the whole time
   double smallest = 1e-6;        // smallest: floor, fraction of the whole time
   double largest = 0.02;         // largest: fraction of the whole time
-  double max_strain = 0.02;      // max_strain: largest strain increment
+  double max_strain = 0.03;      // max_strain: largest strain increment
   double max_rotation = 3.0;     // max_rotation_deg
   double max_slide = 1.0;        // max_slide: sliding in tool facets or sheet elements
   double max_penetration = 0.2;  // max_penetration: by which free nodes may overshoot a tool before the
                                  // corrector, of the thickness
   double tolerance = 1e-3;       // tolerance: out-of-balance force against the reference force
-  int max_iterations = 12;       // max_iterations
+  int max_iterations = 20;       // max_iterations
 };
 
 struct LimitsScene {                 // [limits]

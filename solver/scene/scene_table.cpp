@@ -191,6 +191,12 @@ SceneTable make_material() {
           key<&T::r90>("r90", "", "Lankford coefficient across axis 1.")
               .in(0.05, 20)
               .when("yield", {"hill48"}),
+          key<&T::yield_rounding>(
+              "yield_rounding", "",
+              "Half width of the onset of yielding, of the flow stress: an overstress within it turns from elastic "
+              "to plastic gradually. Saves the corrector most of its work where a wall neither loads nor "
+              "unloads; 0 is a sharp corner.")
+              .in(0, 0.05),
       }};
 }
 

@@ -40,7 +40,7 @@ Hardening make_hardening(const MaterialScene& m) {
 SheetMaterial make_material(const MaterialScene& m) {
   const bool is_hill = m.yield == "hill48";
   return {m.youngs_modulus,      m.poisson,        is_hill ? m.r0 : 1.0, is_hill ? m.r45 : 1.0,
-          is_hill ? m.r90 : 1.0, make_hardening(m)};
+          is_hill ? m.r90 : 1.0, make_hardening(m),   m.yield_rounding};
 }
 
 Triad make_triad(const Vec3& director) {

@@ -2,6 +2,7 @@
 #include "solver/system/linear_solver.h"
 
 #include <cholmod.h>
+#include <dlfcn.h>
 
 #include <algorithm>
 #include <cmath>
@@ -117,6 +118,14 @@ Vector LinearSolver::solve(const Vector& rhs) const {
 
 double LinearSolver::factor_entries() const { return static_cast<double>(impl_->supernodal->xsize); }
 
-void fix_blas_threads(int threads) { openblas_set_num_threads(threads); }
+void fix_blas_threads(int threads) {
+  openblas_set_num_threads(threads);
+  // CHOLMOD opens parallel regions of four threads around loops of microseconds, whatever OMP_NUM_THREADS
+  // says; waking them takes longer than the whole factorisation of a thin sheet.
+  using SetLevels = void (*)(int);
+  if (const auto set_levels = reinterpret_cast<SetLevels>(dlsym(RTLD_DEFAULT, "omp_set_max_active_levels"))) {
+    set_levels(threads > 1 ? 1 : 0);
+  }
+}
 
 }  // namespace hydroscope

@@ -33,7 +33,15 @@ class NodeBasis {
   bool is_eliminated(int i) const { return std::isinf(stiffness_[static_cast<std::size_t>(i)]); }
   double stiffness(int i) const { return stiffness_[static_cast<std::size_t>(i)]; }
   double value(int i) const { return values_[static_cast<std::size_t>(i)]; }
+  NodeVector row(int i) const { return rows_.col(i); }
   const NodeBlock& transform() const { return transform_; }
+  /// q_local = T^-1 q: the rows of C above the null space's.
+  NodeVector to_local_displacement(const NodeVector& q) const {
+    if (n_held_ == 0) return q;
+    NodeVector local = transform_.transpose() * q;
+    for (int k = 0; k < n_held_; ++k) local[k] = rows_.col(k).dot(q);
+    return local;
+  }
 
  private:
   int n_held_ = 0;

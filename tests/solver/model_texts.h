@@ -45,7 +45,7 @@ inline IncrementReport run_to_end(const Model& model, State& state, Scratch& scr
 inline Loads evaluate_state(const Model& model, const State& state, Scratch& scratch) {
   const Loads loads{state.time, state.pressure};
   start_trial(state, scratch);
-  evaluate(model, state, loads, {.freeze_thickness = true}, scratch);
+  evaluate(model, state, loads, {.freeze_thickness = true, .with_stiffness = true}, scratch);
   evaluate_contacts(model, state, loads, true, scratch);
   assemble_matrix(model, scratch);
   return loads;

@@ -89,7 +89,7 @@ class TangentCheck {
     start_trial(state_, scratch_);
     Trial& trial = scratch_.trial;
     move(trial.configuration, q);
-    evaluate(model_, state_, loads_, {.freeze_thickness = true}, scratch_);
+    evaluate(model_, state_, loads_, {.freeze_thickness = true, .with_stiffness = true}, scratch_);
     trial.friction.setZero();
     Vector force = -trial.calc_residual(loads_);
     for (std::size_t i = 0; i < contacts_.size(); ++i) {

@@ -28,7 +28,7 @@ double calc_discrete_ratio(const Snapshot& s, double mu) {
 }
 
 // Not run yet: accepted increments do not obey Coulomb's law closely enough (docs/verification.md, Open).
-TEST(Capstan, DISABLED_TensionsHaveTheDiscreteRatio) {
+TEST(Capstan, TensionsHaveTheDiscreteRatio) {
   for (const double mu : {0.1, 0.2}) {
     const History h = run_scene("capstan.toml", {"tool.drum.friction=" + std::to_string(mu)});
     ASSERT_EQ(h.summary.outcome, Outcome::kCompleted) << h.summary.message;
