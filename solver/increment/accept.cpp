@@ -81,7 +81,8 @@ void update_contact_history(const Model& model, State& state,
   report.n_contact = report.n_stick + report.n_slip;
 }
 
-/// Contact pressure on the outer face, smoothed over contact neighbours, for sigma33.
+/// Contact pressure on the outer face for sigma33: not above the fluid's, as the line load at the edge of a
+/// contact is none of the wall's depth, and spread over one thickness, as a wall spreads it.
 void update_outer_pressure(const Model& model, State& state) {
   std::fill(state.outer_pressure.begin(), state.outer_pressure.end(), 0.0);
   for (std::size_t t = 0; t < state.contacts.size(); ++t) {
@@ -93,6 +94,7 @@ void update_outer_pressure(const Model& model, State& state) {
                      std::abs(state.pressure));
     }
   }
+  if (model.use_through_wall_stress) smooth_over_wall(model, model.thickness, state.outer_pressure);
 }
 
 }  // namespace

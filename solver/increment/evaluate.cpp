@@ -161,28 +161,30 @@ std::vector<double> calc_nodal_areas(const Model& model, const Configuration& co
   return areas;
 }
 
-void update_thickness(const Model& model, Trial& trial) {
-  const std::size_t n = trial.area.size();
-  for (std::size_t i = 0; i < n; ++i) trial.wall[i] = trial.volume[i] / trial.area[i];
+void smooth_over_wall(const Model& model, double length, std::vector<double>& values) {
   // One pass (node to element to node) spreads by half an element's length squared.
-  const double ratio = model.thickness / model.element_size;
-  const int passes = std::min(30, static_cast<int>(std::lround(0.5 * ratio * ratio)));
-  std::vector<double>& h = trial.configuration.thickness;
-  h = trial.wall;
-  std::vector<double> sum(n), count(n);
+  const double ratio = length / model.element_size;
+  const int passes = std::min(30, static_cast<int>(std::lround(2.0 * ratio * ratio)));
+  std::vector<double> sum(values.size()), count(values.size());
   for (int pass = 0; pass < passes; ++pass) {
     std::fill(sum.begin(), sum.end(), 0.0);
     std::fill(count.begin(), count.end(), 0.0);
     for (const auto& quad : model.quads) {
       double mean = 0.0;
-      for (const int i : quad) mean += 0.25 * h[static_cast<std::size_t>(i)];
+      for (const int i : quad) mean += 0.25 * values[static_cast<std::size_t>(i)];
       for (const int i : quad) {
         sum[static_cast<std::size_t>(i)] += mean;
         count[static_cast<std::size_t>(i)] += 1.0;
       }
     }
-    for (std::size_t i = 0; i < n; ++i) h[i] = sum[i] / count[i];
+    for (std::size_t i = 0; i < values.size(); ++i) values[i] = sum[i] / count[i];
   }
+}
+
+void update_thickness(const Model& model, Trial& trial) {
+  for (std::size_t i = 0; i < trial.wall.size(); ++i) trial.wall[i] = trial.volume[i] / trial.area[i];
+  trial.configuration.thickness = trial.wall;
+  smooth_over_wall(model, 0.5 * model.thickness, trial.configuration.thickness);
 }
 
 void evaluate_edge_loads(const Model& model, const Loads& loads, Trial& trial) {

@@ -18,6 +18,10 @@ struct EvaluationSettings {
 void evaluate_elements(const Model& model, const State& state, const Loads& loads,
                        const EvaluationSettings& settings, Scratch& scratch);
 
+/// Spreads nodal values over about `length` [mm] of the wall (standard deviation of the spread); elements
+/// longer than that keep theirs.
+void smooth_over_wall(const Model& model, double length, std::vector<double>& values);
+
 /// Wall thickness, volume over area at each node [mm], and from it the h of the
 /// kinematics and of the contact points: where elements are shorter than the
 /// wall is thick, h is spread over a length of about half the thickness. A wall
