@@ -116,6 +116,54 @@ CommandSyntax make_check() {
   return check;
 }
 
+CommandSyntax make_inspect() {
+  CommandSyntax inspect;
+  inspect.name = "inspect";
+  inspect.operands = {"DIR"};
+  inspect.operand_files = "/";
+  inspect.summary = "List what let go of a tool, when and why.";
+  inspect.options = {
+      {"--node", "", "N", "The whole life of one node instead of the ledger.", false, {}},
+      {"--tool", "", "NAME", "Only this tool.", false, {}},
+      {"--node-range", "", "A-B", "Only nodes A to B.", false, {}},
+      {"--region", "", "BOX", "Only events in X0,X1,Y0,Y1,Z0,Z1 [mm].", false, {}},
+      {"--from", "", "S", "Only events from this process time [s].", false, {}},
+      {"--to", "", "S", "Only events up to this process time [s].", false, {}},
+      {"--kind",
+       "",
+       "A,B",
+       "Touches with an event of these kinds: touch, stick, slip,\n"
+       "                            detach (default), retouch.",
+       false,
+       {"touch", "stick", "slip", "detach", "retouch"}},
+      {"--verdict",
+       "",
+       "A,B",
+       "Only these: physical, noise, chatter.",
+       false,
+       {"physical", "noise", "chatter"}},
+      {"--sort",
+       "",
+       "BY",
+       "time (default), node, force, gap, toggles, verdict.",
+       false,
+       {"time", "node", "force", "gap", "toggles", "verdict"}},
+      {"--limit", "", "N", "Lines of a table (default 20; 0: all).", false, {}},
+      {"--json", "", "", "For programs: summary, patches, all episodes.", false, {}},
+      {"--csv", "", "", "For spreadsheets: an episode a line.", false, {}},
+  };
+  inspect.details =
+      "Reads events.csv, history.csv and the saved states of a run, finished or not, and solves nothing. An "
+      "episode\nis one touch of a node, from touching to letting go; neighbours that let go together are a "
+      "patch. Each\nletting go is judged: physical (the wall opened), noise (it did not) or chatter (to and "
+      "fro).\n"
+      "\nexamples:\n  hydroscope inspect results/mu01\n"
+      "  hydroscope inspect results/mu01 --verdict noise,chatter --sort toggles\n"
+      "  hydroscope inspect results/mu01 --node 17\n"
+      "\nEvery column, and how a verdict is found: docs/inspection.md\n";
+  return inspect;
+}
+
 CommandSyntax make_tool() {
   CommandSyntax tool;
   tool.name = "tool";
@@ -139,6 +187,7 @@ const std::vector<CommandSyntax>& command_syntaxes() {
       make_run(),
       make_render(),
       make_check(),
+      make_inspect(),
       make_tool(),
       {"reference", {}, "", "Print the documentation of all scene keys (Markdown).", "", {}, {}},
       {"completion",

@@ -15,6 +15,8 @@ ExitCode run_scene(const Arguments& arguments);
 ExitCode render_results(const Arguments& arguments);
 /// Compares saved states with an approved sequence.
 ExitCode check_results(const Arguments& arguments);
+/// Lists the detachments of a run and why they came.
+ExitCode inspect_contact(const Arguments& arguments);
 /// Reports on a tool mesh and draws it.
 ExitCode inspect_tool_mesh(const Arguments& arguments);
 

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/inspect/contact_log.h"
+#include "app/inspect/sheet_history.h"
+
+namespace hydroscope {
+
+constexpr double kUnknown =
+    std::numeric_limits<double>::quiet_NaN();  // printed as "-", null or an empty cell
+
+/// What is measured around one letting go. Not known is NaN.
+struct ReleaseFigures {
+  double pressure_before = kUnknown;          ///< fluid, increment before [MPa]
+  double pressure = kUnknown;                 ///< fluid, this increment [MPa]
+  double area = kUnknown;                     ///< the node's share of the mid-surface [mm^2]
+  double fluid_share = kUnknown;              ///< p A of the increment before [N]
+  double force_share = kUnknown;              ///< normal force before / fluid share
+  double contact_pressure_before = kUnknown;  ///< smoothed, last state before [MPa]
+  double contact_pressure_after = kUnknown;   ///< smoothed, first state from then on [MPa]
+  int state_before = -1, state_after = -1;    ///< increments of these two states; -1 none
+  double gap_reached = kUnknown;    ///< largest while free: event and states [mm]; infinite: left the band
+  double opening_speed = kUnknown;  ///< gap of the event over the increment's time [mm/s]
+  double gap_growth = kUnknown;     ///< from the event to the first state after it, still free [mm/s]
+  int toggles = 0;                  ///< lettings go and comings back in the fullest window that holds it
+};
+
+/// Whether a letting go is one of the real wall.
+enum class Verdict { kPhysical, kNoise, kChatter };
+const char* to_string(Verdict verdict);
+
+/// One touch of one node with one tool, from touching to letting go. Indices are those of the log's events.
+struct Episode {
+  int node = -1;
+  int tool = -1;
+  std::optional<std::size_t> touched;  ///< touch or retouch; none: in contact from the start
+  std::vector<std::size_t> changes;    ///< stick and slip
+  std::optional<std::size_t> let_go;   ///< none: still in contact at the end
+  std::optional<std::size_t> back;     ///< the next touch of the same node and tool
+  ReleaseFigures figures;              ///< of `let_go`
+  Verdict verdict = Verdict::kPhysical;
+  std::string reason;  ///< the verdict in words, with its figures
+  int patch = -1;      ///< index into the patches; -1: has not let go
+};
+
+/// Orders the events into episodes, by the event that began each. Throws
+/// InputError with file and line when a node touches twice, or lets go twice, without the other between.
+std::vector<Episode> make_episodes(const ContactLog& log);
+
+/// Window of increments within which lettings go and comings back are counted.
+constexpr int kToggleWindow = 5;
+
+/// Most lettings go and comings back within kToggleWindow increments, over all
+/// windows that hold `at`. `toggles`: increments of all of them, sorted.
+int count_toggles(const std::vector<int>& toggles, int at);
+
+/// Fills `figures` of all episodes that ended.
+void measure_releases(const ContactLog& log, const SheetHistory& sheet, std::vector<Episode>& episodes);
+
+}  // namespace hydroscope

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/inspect/verdict.h"
+
+#include <cmath>
+
+#include "app/inspect/figure_text.h"
+
+namespace hydroscope {
+namespace {
+
+std::string describe_return(const ContactEvent& event, const std::optional<int>& back) {
+  if (!back) return "it stayed away";
+  const int after = *back - event.increment;
+  return "it came back after " + std::to_string(after) + (after == 1 ? " increment" : " increments");
+}
+
+std::string describe_opening(const ReleaseFigures& f, const VerdictBounds& bounds, bool is_open) {
+  if (std::isinf(f.gap_reached)) return "opened until no tool was near";
+  return "opened by " + format_figure(f.gap_reached) + " mm" + (is_open ? ", above " : ", not above ") +
+         format_figure(bounds.opening) + " mm";
+}
+
+std::string describe_force(const ReleaseFigures& f) {
+  if (std::isnan(f.force_share)) return "";
+  return "; force before: " + format_figure(100.0 * f.force_share) + " % of the fluid's share";
+}
+
+/// What the fluid did meanwhile: a wall may let go as it is unloaded, or be pulled off by its own stretching.
+std::string describe_load(const ReleaseFigures& f) {
+  if (std::isnan(f.pressure) || std::isnan(f.pressure_before)) return "";
+  if (f.pressure == f.pressure_before) return "; the fluid held " + format_figure(f.pressure) + " MPa";
+  return std::string(f.pressure < f.pressure_before ? "; unloading" : "; loading") +
+         ": the fluid went from " + format_figure(f.pressure_before) + " to " + format_figure(f.pressure) +
+         " MPa";
+}
+
+}  // namespace
+
+Judgement judge_release(const ContactEvent& event, const std::optional<int>& back, const ReleaseFigures& f,
+                        const VerdictBounds& bounds) {
+  const std::string returned = describe_return(event, back);
+  const bool is_open = f.gap_reached > bounds.opening;
+  const std::string opening = describe_opening(f, bounds, is_open);
+  if (f.toggles >= bounds.chatter_toggles)
+    return {Verdict::kChatter, std::to_string(f.toggles) + " times let go or back within " +
+                                   std::to_string(bounds.window) + " increments; " + opening +
+                                   describe_load(f)};
+  if (event.cause == "edge" || event.cause == "tool taken away")
+    return {Verdict::kPhysical,
+            (event.cause == "edge" ? "left over the tool's edge; " : "its tool was taken away; ") + returned +
+                describe_load(f)};
+  if (is_open) return {Verdict::kPhysical, opening + "; " + returned + describe_force(f) + describe_load(f)};
+  const bool is_taken_back = back && *back - event.increment <= bounds.window;
+  if (!is_taken_back && f.force_share < -bounds.tension)
+    return {Verdict::kPhysical,
+            "pulled" + describe_force(f).substr(1) + "; " + opening + "; " + returned + describe_load(f)};
+  return {Verdict::kNoise, opening + "; " + returned + describe_force(f) + describe_load(f)};
+}
+
+}  // namespace hydroscope
