@@ -191,8 +191,9 @@ void evaluate_edge_loads(const Model& model, const Loads& loads, Trial& trial) {
   trial.other_load.setZero();
   for (const EdgeLoad& edge : model.edge_loads) {
     for (std::size_t k = 0; k < edge.nodes.size(); ++k) {
-      trial.other_load.segment<3>(static_cast<Eigen::Index>(kDofs * edge.nodes[k])) +=
-          calc_edge_load(edge, k, trial.configuration, loads.time);
+      const auto at = static_cast<Eigen::Index>(kDofs * edge.nodes[k]);
+      trial.other_load.segment<3>(at) += calc_edge_load(edge, k, trial.configuration, loads.time);
+      trial.other_load.segment<2>(at + 3) += calc_edge_moment(edge, k, trial.configuration, loads.time);
     }
   }
 }

@@ -33,7 +33,7 @@ void update_thickness(const Model& model, Trial& trial);
 /// Tributary mid-surface area of each node [mm^2].
 std::vector<double> calc_nodal_areas(const Model& model, const Configuration& configuration);
 
-/// Line loads on edges (dead forces, tension along the current tangent).
+/// Line loads on edges (dead forces, tension along the current tangent, moments about the width).
 void evaluate_edge_loads(const Model& model, const Loads& loads, Trial& trial);
 
 /// Through-wall stress at the nodes: minus the mean of the fluid's pressure and the

@@ -29,6 +29,8 @@ struct EdgeLoad {
       inner_nodes;  ///< edge nodes and their neighbours inside: the tangent leads from one to the other
   std::vector<double> widths;      ///< tributary width of each node [mm]
   Path force_x, force_y, tension;  ///< [N/mm]
+  Path moment;                     ///< about z, per width [N mm/mm]
+  double lever = 1.0;  ///< from end to end of the strip [mm]: what a moment counts over, as a force
 };
 
 /// A chosen output number, resolved to nodes.

@@ -57,20 +57,34 @@ State make_initial_state(const Model& model) {
 std::uint64_t calc_hash(const State& s) {
   std::uint64_t hash = 14695981039346656037ULL;
   for (const Vec3& x : s.configuration.x) add_to_hash(hash, x);
-  for (const Triad& t : s.configuration.triad) add_to_hash(hash, t.v);
-  for (const double h : s.configuration.thickness) add_to_hash(hash, h);
+  for (const Triad& t : s.configuration.triad) {
+    add_to_hash(hash, t.v1);
+    add_to_hash(hash, t.v);
+  }
   for (const LayerState& l : s.layers) {
     add_to_hash(hash, l.point.stress);
     add_to_hash(hash, l.point.plastic_strain);
+    add_to_hash(hash, l.angle);
+  }
+  for (const GaussState& g : s.gauss) {
+    add_to_hash(hash, Vec3(g.shear[0], g.shear[1], g.dilatation));
   }
   for (const auto& list : s.contacts) {
     for (const ContactPoint& c : list) {
+      add_to_hash(hash, static_cast<double>(c.status));
       add_to_hash(hash, c.normal_force);
       add_to_hash(hash, c.friction);
+      add_to_hash(hash, c.slip);
     }
   }
-  add_to_hash(hash, s.time);
-  add_to_hash(hash, s.pressure);
+  for (const auto* field :
+       {&s.configuration.thickness, &s.recent_strain, &s.sigma33, &s.outer_pressure, &s.wall, &s.area}) {
+    for (const double value : *field) add_to_hash(hash, value);
+  }
+  for (const Vec3& r : s.reaction) add_to_hash(hash, r);
+  for (const double value : {s.time, s.pressure, s.volume, s.last_dt, s.next_dt, s.peak_pressure}) {
+    add_to_hash(hash, value);
+  }
   return hash;
 }
 

@@ -17,6 +17,7 @@ double Scene::end_time() const {
     reach(edge.force_x);
     reach(edge.force_y);
     reach(edge.tension);
+    reach(edge.moment);
   }
   for (const auto& [name, tool] : tools) {
     if (!tool.motion.empty()) end = std::max(end, tool.motion.back()[0]);

@@ -90,6 +90,7 @@ struct EdgeScene {
   Path move_x, move_y;            // move_x_mm, move_y_mm: prescribed displacement paths
   Path force_x, force_y;          // force_x_N_per_mm, ..: dead line force per mm of width
   Path tension;                   // tension_N_per_mm: pulls along the edge's current outward tangent
+  Path moment;                    // moment_N: turns the edge about z, N mm per mm of width
 };
 
 struct ToolScene {                 // [tool.NAME]

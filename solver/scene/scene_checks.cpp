@@ -148,6 +148,8 @@ void check_edges(const GivenKeys& given, const Scene& scene) {
       given.fail(path + "force_x_N_per_mm", "contradicts an x that is held or moved");
     if ((holds("y") || !edge.move_y.empty()) && !edge.force_y.empty())
       given.fail(path + "force_y_N_per_mm", "contradicts a y that is held or moved");
+    if (holds("rotation") && !edge.moment.empty())
+      given.fail(path + "moment_N", "contradicts hold = [\"rotation\"]");
   }
 }
 

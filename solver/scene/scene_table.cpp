@@ -193,7 +193,8 @@ SceneTable make_material() {
               .when("yield", {"hill48"}),
           key<&T::yield_rounding>(
               "yield_rounding", "",
-              "Half width of the onset of yielding, of the flow stress: an overstress within it turns from elastic "
+              "Half width of the onset of yielding, of the flow stress: an overstress within it turns from "
+              "elastic "
               "to plastic gradually. Saves the corrector most of its work where a wall neither loads nor "
               "unloads; 0 is a sharp corner.")
               .in(0, 0.05),
@@ -275,6 +276,10 @@ SceneTable make_edge() {
                   .in(-1e6, 1e6),
               key<&T::tension>("tension_N_per_mm", "N_per_mm",
                                "Pull per mm of width along the edge's current outward direction.")
+                  .in(-1e6, 1e6),
+              key<&T::moment>("moment_N", "N",
+                              "Bending moment per width, in N mm per mm: turns the edge about z, from x "
+                              "towards y; needs an edge that may rotate.")
                   .in(-1e6, 1e6),
           }};
 }

@@ -39,8 +39,8 @@ Hardening make_hardening(const MaterialScene& m) {
 
 SheetMaterial make_material(const MaterialScene& m) {
   const bool is_hill = m.yield == "hill48";
-  return {m.youngs_modulus,      m.poisson,        is_hill ? m.r0 : 1.0, is_hill ? m.r45 : 1.0,
-          is_hill ? m.r90 : 1.0, make_hardening(m),   m.yield_rounding};
+  return {m.youngs_modulus,      m.poisson,         is_hill ? m.r0 : 1.0, is_hill ? m.r45 : 1.0,
+          is_hill ? m.r90 : 1.0, make_hardening(m), m.yield_rounding};
 }
 
 Triad make_triad(const Vec3& director) {
@@ -94,6 +94,10 @@ void add_edge(Model& model, const SheetMesh& sheet, const std::string& which, co
   load.force_x = edge.force_x;
   load.force_y = edge.force_y;
   load.tension = edge.tension;
+  load.moment = edge.moment;
+  load.lever = (model.x0[static_cast<std::size_t>(sheet.end_nodes.front())] -
+                model.x0[static_cast<std::size_t>(sheet.start_nodes.front())])
+                   .norm();
   for (const int i : nodes) {
     load.nodes.push_back(i);
     load.inner_nodes.push_back(is_start ? i + 1 : i - 1);
@@ -112,7 +116,7 @@ void add_edge(Model& model, const SheetMesh& sheet, const std::string& which, co
     hold("y", Vec3::UnitY(), edge.move_y);
     if (holds("rotation")) add_support(model, i, Support::Kind::kClamp, Vec3::Zero());
   }
-  if (!load.force_x.empty() || !load.force_y.empty() || !load.tension.empty())
+  if (!load.force_x.empty() || !load.force_y.empty() || !load.tension.empty() || !load.moment.empty())
     model.edge_loads.push_back(load);
 }
 

@@ -97,6 +97,8 @@ TEST(SceneChecks, EndsAndEdges) {
             "a.toml:10: key 'edge.start.move_x_mm': contradicts hold = [\"x\"]");
   EXPECT_EQ(error_of(with_line(kStrip, 9, "hold = [\"z\"]")),
             "a.toml:9: key 'edge.start.hold': \"z\" is not known; allowed: \"x\", \"y\", \"rotation\"");
+  EXPECT_EQ(error_of(with_line(kStrip, 9, "hold = [\"rotation\"]\nmoment_N = [[0, 0], [1, 1]]")),
+            "a.toml:10: key 'edge.start.moment_N': contradicts hold = [\"rotation\"]");
 }
 
 TEST(SceneChecks, ToolSizes) {
