@@ -130,6 +130,7 @@ class Corrector {
     }
     const Solution solution = solve_with_thinning();
     attempt_.limit = calc_step_limit(model_, solution.q, s_.trial);
+    limit_by_contact_events(model_, state_, solution.q, s_, attempt_.limit);
     take_prediction(solution);
     return true;
   }
@@ -148,6 +149,11 @@ class Corrector {
       s_.trial.configuration = state_.configuration;
       move(s_.trial.configuration, r * solution.q);
       evaluate_trial();
+      if (cut == 0 && stops_at(model_, "yield") && s_.trial.elastic_share < kWholeShare) {  // r1
+        attempt_.limit.reduce((1.0 + model_.increment.cluster) * s_.trial.elastic_share * r, Limiter::kYield,
+                              s_.trial.yield_at);
+        if (attempt_.limit.fraction < r) continue;
+      }
       const double fraction = calc_strain_fraction(model_, s_.trial);
       if (fraction > 0.9 || cut == kLargestStrainCuts) break;
       attempt_.limit.reduce(0.95 * fraction * r, Limiter::kStrain, s_.trial.strain_at);
@@ -293,6 +299,7 @@ class Corrector {
   }
 
   static constexpr int kLargestStrainCuts = 3;
+  static constexpr double kWholeShare = 0.9;  // points that yield later than this are let through
   const Model& model_;
   const State& state_;
   Target target_;

@@ -19,11 +19,6 @@ SlavePoint make_slave_point(const Configuration& c, std::size_t i, const Tool& t
   return {c.triad[i], tool.side * 0.5 * c.thickness[i]};
 }
 
-/// E_t of a node [N/mm]: a share of E/h per area (4.45).
-double calc_stick_stiffness(const Model& model, double area) {
-  return model.contact.stick_stiffness * model.law.sheet.material.youngs_modulus / model.thickness * area;
-}
-
 /// Stiffness of the outer half of the wall under contact pressure, E A / (h/2) [N/mm].
 double calc_wall_stiffness(const Model& model, double area) {
   if (model.contact.wall_stiffness <= 0.0) return std::numeric_limits<double>::infinity();
@@ -198,6 +193,10 @@ std::vector<std::size_t> find_releases(const Model& model, const Loads& loads, s
 }
 
 }  // namespace
+
+double calc_stick_stiffness(const Model& model, double area) {
+  return model.contact.stick_stiffness * model.law.sheet.material.youngs_modulus / model.thickness * area;
+}
 
 void search_contacts(const Model& model, const Loads& loads, Scratch& s) {
   const PhaseTimer timer(s.times.search);

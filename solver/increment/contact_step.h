@@ -5,6 +5,9 @@
 
 namespace hydroscope {
 
+/// E_t of a node [N/mm]: a share of E/h per area (4.45).
+double calc_stick_stiffness(const Model& model, double area);
+
 /// Gaps, foot points and normals of all slave points in the trial configuration
 /// against the tools as they stand at `loads.time`.
 void search_contacts(const Model& model, const Loads& loads, Scratch& scratch);

@@ -132,10 +132,15 @@ void evaluate_elements(const Model& model, const State& state, const Loads& load
   s.pool.for_ranges(static_cast<std::size_t>(model.n_nodes()),
                     [&](std::size_t begin, std::size_t end) { sum_over_nodes(s, trial, begin, end); });
   trial.strain_increment = trial.plastic_increment = 0.0;
+  trial.elastic_share = 1.0;
   for (std::size_t e = 0; e < s.responses.size(); ++e) {
     if (s.responses[e].strain_increment > trial.strain_increment) {
       trial.strain_increment = s.responses[e].strain_increment;
       trial.strain_at = static_cast<int>(e);
+    }
+    if (s.responses[e].elastic_share < trial.elastic_share) {
+      trial.elastic_share = s.responses[e].elastic_share;
+      trial.yield_at = static_cast<int>(e);
     }
     trial.plastic_increment = std::max(trial.plastic_increment, s.responses[e].plastic_increment);
   }

@@ -35,7 +35,9 @@ struct Trial {
   Vector friction;             ///< friction forces of the tools on the sheet
   Vector normal_reaction;      ///< normal contact forces (for reports and the reference force)
   double strain_increment = 0.0, plastic_increment = 0.0;
-  int strain_at = -1;  ///< element with the largest strain increment
+  double elastic_share = 1.0;  ///< smallest share of the increment before a point begins to yield (r1)
+  int yield_at = -1;           ///< its element
+  int strain_at = -1;          ///< element with the largest strain increment
 
   /// Out-of-balance force but for the reactions of supports and normal contact.
   Vector calc_residual(const Loads& loads) const {

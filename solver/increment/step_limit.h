@@ -26,6 +26,14 @@ struct StepLimit {
 /// allowance), sliding past facets (r4b).
 StepLimit calc_step_limit(const Model& model, const Vector& q, const Trial& trial);
 
+/// Does the scene end increments at this event?
+bool stops_at(const Model& model, const char* event);
+
+/// Limits by contacts that would be pulled (r5) and sticking ones that would leave the slip circle (r6), from
+/// the forces that the prediction `q` leads to; each may be overrun by the scene's `cluster`.
+void limit_by_contact_events(const Model& model, const State& state, const Vector& q, const Scratch& scratch,
+                             StepLimit& limit);
+
 /// Reduction by the strain increment measured after the move (r2); 1 when within the limit.
 double calc_strain_fraction(const Model& model, const Trial& trial);
 

@@ -136,6 +136,9 @@ StressUpdate update_stress(const SheetLaw& law, const MaterialPoint& start, cons
     return out;
   }
 
+  const double before = flow_stress - calc_equivalent_stress(law.yield_matrix, start.stress);
+  constexpr double kElastic = 0.01;  // of the flow stress: nearer points flow already
+  if (overstress > 0.0 && before > kElastic * flow_stress) out.elastic_share = before / (before + overstress);
   const Onset onset = calc_onset(overstress, band);
   const Return r = find_return(law, law.modes.transpose() * (law.compliance * trial), start.plastic_strain,
                                trial_stress, onset.inside);

@@ -43,6 +43,7 @@ struct StressUpdate {
   Mat3 tangent;         ///< d stress / d strain, consistent with the return (Simo & Taylor 1986)
   bool is_plastic = false;
   double plastic_increment = 0.0;
+  double elastic_share = 1.0;  ///< of the increment before the point first reaches its yield surface (r1)
 };
 
 /// One strain increment (D dt), integrated by the closest-point return in the

@@ -139,6 +139,8 @@ struct IncrementScene {          // [increment]
   double max_slide = 1.0;        // max_slide: sliding in tool facets or sheet elements
   double max_penetration = 0.2;  // max_penetration: by which free nodes may overshoot a tool before the
                                  // corrector, of the thickness
+  std::vector<std::string> stop_at;  // stop_at: yield | release | slip: events that limit the increment (r1, r5, r6)
+  double cluster = 0.1;          // cluster: share by which such an event may be overrun, to take others along
   double tolerance = 1e-3;       // tolerance: out-of-balance force against the reference force
   int max_iterations = 20;       // max_iterations
 };

@@ -438,6 +438,15 @@ SceneTable make_increment() {
               "max_penetration", "",
               "How far free nodes may overshoot a tool before the corrector, against the thickness.")
               .in(0, 10),
+          key<&T::stop_at>(
+              "stop_at", "",
+              "Events at which an increment ends: a point begins to yield (r1), a contact lets go (r5), a "
+              "sticking one begins to slip (r6). Without them the corrector finds the events.")
+              .one_of({"yield", "release", "slip"}),
+          key<&T::cluster>(
+              "cluster", "",
+              "Share by which such an event may be overrun, so that those just behind it come along.")
+              .in(0, 1),
           key<&T::tolerance>("tolerance", "",
                              "Out-of-balance force against the reference force at which the corrector stops.")
               .in(1e-12, 1),

@@ -77,6 +77,7 @@ LayerResponse advance_layer(const SheetLaw& law, const LayerState& state, const 
       update_stress(law, state.point, out.strain_increment, sigma33_increment, assume_flow);
   out.state = {update.point, state.angle + stretch.spin};
   out.plastic_increment = update.plastic_increment;
+  out.elastic_share = update.elastic_share;
   const Vec3 stress = update.point.stress + Vec3(sigma33, sigma33, 0.0);
   const Mat3 t = calc_push_forward(end_frame, std::cos(out.state.angle), std::sin(out.state.angle));
   out.stress = t.transpose() * stress;

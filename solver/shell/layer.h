@@ -27,6 +27,7 @@ struct LayerResponse {
   Mat3 tangent;           ///< d tau^ij / d E_kl, symmetric: T^T (C - Q) T (mechanics 1.2, 1.4)
   Vec3 strain_increment;  ///< D dt in the material frame
   double plastic_increment = 0.0;
+  double elastic_share = 1.0;  ///< see StressUpdate
 };
 
 /// Integrates a layer from metric `start` to metric `end`. The strain

@@ -20,7 +20,7 @@ struct Section {
   Generalised stress = Generalised::Zero();
   GeneralisedTangent tangent = GeneralisedTangent::Zero();
   double trace = 0.0;  ///< mean of sigma11 + sigma22 + sigma33
-  double strain_increment = 0.0, plastic_increment = 0.0;
+  double strain_increment = 0.0, plastic_increment = 0.0, elastic_share = 1.0;
 };
 
 double calc_equivalent_strain(const Vec3& e) {
@@ -53,6 +53,7 @@ Section integrate_section(const ShellLaw& law, const MetricPolynomial& start, co
     section.trace += share * (r.state.point.stress[0] + r.state.point.stress[1] + 3.0 * sigma33_end);
     section.strain_increment = std::max(section.strain_increment, calc_equivalent_strain(r.strain_increment));
     section.plastic_increment = std::max(section.plastic_increment, r.plastic_increment);
+    section.elastic_share = std::min(section.elastic_share, r.elastic_share);
   }
   for (std::size_t i = 0; i < 3; ++i) {
     for (std::size_t j = 0; j < 3; ++j) {
@@ -206,6 +207,7 @@ ElementResponse evaluate_element(const ShellLaw& law, const ElementNodes& start,
       response.volume[a] += s.n[a] * gauss.volume * gauss.dilatation;
     }
     response.strain_increment = std::max(response.strain_increment, section.strain_increment);
+    response.elastic_share = std::min(response.elastic_share, section.elastic_share);
     response.plastic_increment = std::max(response.plastic_increment, section.plastic_increment);
     if (stiffness != nullptr) {
       const auto rows = calc_strain_rows(bases, s, w);

@@ -52,6 +52,7 @@ struct ElementResponse {
   std::array<double, 4> area{};    ///< tributary mid-surface area of each node [mm^2]
   std::array<double, 4> volume{};  ///< tributary volume of each node [mm^3]
   double strain_increment = 0.0;   ///< largest equivalent total strain increment
+  double elastic_share = 1.0;      ///< smallest share of the increment before a point begins to yield
   double plastic_increment = 0.0;  ///< largest equivalent plastic strain increment
 };
 
