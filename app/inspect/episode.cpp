@@ -36,7 +36,7 @@ void measure_gap(const ContactEvent& event, int back, const SheetHistory& sheet,
   }
 }
 
-void measure_forces(const ContactLog& log, const ContactEvent& event, const SheetHistory& sheet,
+void measure_forces(const ContactLog& log, const ContactEvent& event, int back, const SheetHistory& sheet,
                     ReleaseFigures& f) {
   const auto node = static_cast<std::size_t>(event.node);
   f.pressure = log.row(event.increment).pressure;
@@ -46,15 +46,15 @@ void measure_forces(const ContactLog& log, const ContactEvent& event, const Shee
     f.pressure_before = before.pressure;
     if (event.time > before.time) f.opening_speed = event.gap / (event.time - before.time);
   }
-  if (const SheetState* state = sheet.find_before(event.increment)) {
-    f.state_before = state->increment;
-    f.contact_pressure_before = state->contact_pressure[node];
-    f.area = state->area[node];
+  if (const SheetState* before = sheet.find_before(event.increment)) {
+    f.state_before = before->increment;
+    f.contact_pressure_before = before->contact_pressure[node];
+    f.area = before->area[node];
   }
-  if (const SheetState* state = sheet.find_from(event.increment)) {
+  const SheetState* state = sheet.find_from(event.increment);
+  if (state != nullptr && state->increment < back) {
     f.state_after = state->increment;
     f.contact_pressure_after = state->contact_pressure[node];
-    if (std::isnan(f.area)) f.area = state->area[node];
   }
   f.fluid_share = std::abs(f.pressure_before) * f.area;
   if (f.fluid_share > 0.0) f.force_share = event.force_before / f.fluid_share;
@@ -119,7 +119,7 @@ void measure_releases(const ContactLog& log, const SheetHistory& sheet, std::vec
     if (!episode.let_go) continue;
     const ContactEvent& event = log.events[*episode.let_go];
     const int back = episode.back ? log.events[*episode.back].increment : std::numeric_limits<int>::max();
-    measure_forces(log, event, sheet, episode.figures);
+    measure_forces(log, event, back, sheet, episode.figures);
     measure_gap(event, back, sheet, episode.figures);
     episode.figures.toggles = count_toggles(toggles.at({episode.node, episode.tool}), event.increment);
   }

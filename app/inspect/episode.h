@@ -22,7 +22,7 @@ struct ReleaseFigures {
   double fluid_share = kUnknown;              ///< p A of the increment before [N]
   double force_share = kUnknown;              ///< normal force before / fluid share
   double contact_pressure_before = kUnknown;  ///< smoothed, last state before [MPa]
-  double contact_pressure_after = kUnknown;   ///< smoothed, first state from then on [MPa]
+  double contact_pressure_after = kUnknown;   ///< smoothed, first state from then on while free [MPa]
   int state_before = -1, state_after = -1;    ///< increments of these two states; -1 none
   double gap_reached = kUnknown;    ///< largest while free: event and states [mm]; infinite: left the band
   double opening_speed = kUnknown;  ///< gap of the event over the increment's time [mm/s]

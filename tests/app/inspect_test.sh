@@ -1,0 +1,57 @@
+#!/bin/sh
+# SPDX-License-Identifier: GPL-3.0-or-later
+# usage: inspect_test.sh PROGRAM
+# hydroscope inspect as a user meets it, on a real small run. Runs in the top folder.
+set -u
+program=$1
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+failures=0
+
+fail() {
+  failures=$((failures + 1))
+  echo "FAILED: $*"
+  sed 's/^/    /' "$work/out" "$work/err"
+}
+
+# expect CODE TEXT COMMAND...: exit code, and a piece of what is printed.
+expect() {
+  code=$1 text=$2
+  shift 2
+  "$@" >"$work/out" 2>"$work/err"
+  got=$?
+  [ "$got" -eq "$code" ] || fail "exit code $got instead of $code: $*"
+  cat "$work/out" "$work/err" | grep -qF -- "$text" || fail "no '$text' from: $*"
+}
+
+run=$work/circular-die
+expect 0 completed "$program" run scenes/circular-die.toml -o "$run" --no-frames
+# On unloading the whole wall lets go at once, and for good: no node before the others, none back.
+expect 0 "92 detachments in 1 patch: 92 physical, 0 noise, 0 chatter; 0 came back" "$program" inspect "$run"
+grep -q "unloading: the fluid went from 17.* to 16.* MPa" "$work/out" || fail "no reason for the patch"
+expect 0 "causes: tension 92" "$program" inspect "$run"
+expect 0 '"detachments": 92' "$program" inspect "$run" --json
+expect 0 "node,tool,patch," "$program" inspect "$run" --csv
+[ "$(wc -l <"$work/out")" -eq 93 ] || fail "CSV: a head and 92 lines expected"
+expect 0 "nothing let go" "$program" inspect "$run" --to 1.0
+expect 0 "3 detachments" "$program" inspect "$run" --node-range 4-6
+expect 0 "physical, opened by" "$program" inspect "$run" --node 17
+
+# Bad input: where, and what.
+expect 2 "did you mean 'die'?" "$program" inspect "$run" --tool dye
+expect 2 "there is no such folder" "$program" inspect "$work/nowhere"
+expect 2 "no saved states here" "$program" inspect "$work"
+sed -i '5s/touch/tuch/' "$run/events.csv"
+expect 2 "events.csv:5: 'tuch' is no kind of event" "$program" inspect "$run"
+sed -i '5s/tuch/touch/' "$run/events.csv"
+sed -i '7s/,[^,]*$//' "$run/history.csv"
+expect 2 "history.csv:7:" "$program" inspect "$run"
+
+# Help and completion know it.
+expect 0 "List what let go of a tool" "$program" --help
+expect 0 "--node-range A-B" "$program" inspect --help
+expect 0 "'inspect --verdict') COMPREPLY" "$program" completion bash
+expect 0 "inspect:List what let go" "$program" completion zsh
+
+[ "$failures" -eq 0 ] && echo "all passed"
+exit "$failures"
