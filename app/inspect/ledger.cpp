@@ -55,6 +55,7 @@ Ledger make_ledger(ContactLog log, SheetHistory sheet, const VerdictBounds& boun
   ledger.bounds = bounds;
   ledger.episodes = make_episodes(ledger.log);
   measure_releases(ledger.log, ledger.sheet, ledger.episodes);
+  ledger.patches = make_patches(ledger.log, ledger.sheet.neighbours, ledger.episodes);
   for (Episode& episode : ledger.episodes) {
     if (!episode.let_go) continue;
     std::optional<int> back;
@@ -63,7 +64,7 @@ Ledger make_ledger(ContactLog log, SheetHistory sheet, const VerdictBounds& boun
     episode.verdict = judged.verdict;
     episode.reason = judged.reason;
   }
-  ledger.patches = make_patches(ledger.log, ledger.sheet.neighbours, ledger.episodes);
+  count_verdicts(ledger.episodes, ledger.patches);
   return ledger;
 }
 

@@ -63,6 +63,7 @@ void add_figures(const ReleaseFigures& f, Json::Object& record) {
                              {"node_area_mm2", f.area},
                              {"fluid_share_N", f.fluid_share},
                              {"force_share", f.force_share},
+                             {"patch_force_share", f.patch_force_share},
                              {"contact_pressure_before_MPa", f.contact_pressure_before},
                              {"state_before_increment", number_or_null(f.state_before)},
                              {"contact_pressure_after_MPa", f.contact_pressure_after},

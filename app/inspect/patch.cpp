@@ -61,7 +61,6 @@ Patch sum_up(const ContactLog& log, const std::vector<Episode>& episodes, std::v
     patch.fluid_share += episode.figures.fluid_share;
     patch.gap_reached = std::max(patch.gap_reached, episode.figures.gap_reached);
     if (episode.back) ++patch.back;
-    ++patch.verdicts[static_cast<std::size_t>(episode.verdict)];
   }
   const ContactEvent& first = log.events[*episodes[members.front()].let_go];
   const ContactEvent& last = log.events[*episodes[members.back()].let_go];
@@ -71,9 +70,6 @@ Patch sum_up(const ContactLog& log, const std::vector<Episode>& episodes, std::v
   patch.last_increment = last.increment;
   patch.first_time = first.time;
   patch.last_time = last.time;
-  for (std::size_t k = 0; k < patch.verdicts.size(); ++k)
-    if (patch.verdicts[k] >= patch.verdicts[static_cast<std::size_t>(patch.verdict)])
-      patch.verdict = static_cast<Verdict>(k);
   patch.episodes = std::move(members);
   return patch;
 }
@@ -100,8 +96,24 @@ std::vector<Patch> make_patches(const ContactLog& log, const std::vector<std::ve
     episodes[i].patch = static_cast<int>(found->second);
   }
   std::vector<Patch> patches;
-  for (auto& group : members) patches.push_back(sum_up(log, episodes, std::move(group)));
+  for (auto& group : members) {
+    patches.push_back(sum_up(log, episodes, std::move(group)));
+    const Patch& patch = patches.back();
+    if (!(patch.fluid_share > 0.0)) continue;
+    for (const std::size_t i : patch.episodes)
+      episodes[i].figures.patch_force_share = patch.force_before / patch.fluid_share;
+  }
   return patches;
+}
+
+void count_verdicts(const std::vector<Episode>& episodes, std::vector<Patch>& patches) {
+  for (Patch& patch : patches) {
+    for (const std::size_t i : patch.episodes)
+      ++patch.verdicts[static_cast<std::size_t>(episodes[i].verdict)];
+    for (std::size_t k = 0; k < patch.verdicts.size(); ++k)
+      if (patch.verdicts[k] >= patch.verdicts[static_cast<std::size_t>(patch.verdict)])
+        patch.verdict = static_cast<Verdict>(k);
+  }
 }
 
 }  // namespace hydroscope

@@ -23,8 +23,11 @@ struct Patch {
   Verdict verdict = Verdict::kPhysical;      ///< of most; of two equal the more doubtful
 };
 
-/// Groups what let go, in order of time, and writes each episode's `patch`.
+/// Groups what let go, in order of time, and writes each episode's `patch` and `patch_force_share`.
 std::vector<Patch> make_patches(const ContactLog& log, const std::vector<std::vector<int>>& neighbours,
                                 std::vector<Episode>& episodes);
+
+/// Counts the verdicts of the episodes, once they are known.
+void count_verdicts(const std::vector<Episode>& episodes, std::vector<Patch>& patches);
 
 }  // namespace hydroscope

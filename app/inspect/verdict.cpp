@@ -51,10 +51,13 @@ Judgement judge_release(const ContactEvent& event, const std::optional<int>& bac
                 describe_load(f)};
   if (is_open) return {Verdict::kPhysical, opening + "; " + returned + describe_force(f) + describe_load(f)};
   const bool is_taken_back = back && *back - event.increment <= bounds.window;
+  const std::string rest = opening + "; " + returned + describe_force(f);
   if (!is_taken_back && f.force_share < -bounds.tension)
-    return {Verdict::kPhysical,
-            "pulled" + describe_force(f).substr(1) + "; " + opening + "; " + returned + describe_load(f)};
-  return {Verdict::kNoise, opening + "; " + returned + describe_force(f) + describe_load(f)};
+    return {Verdict::kPhysical, "it was pulled; " + rest + describe_load(f)};
+  if (!is_taken_back && f.patch_force_share < -bounds.tension)
+    return {Verdict::kPhysical, "its patch was pulled, " + format_figure(100.0 * f.patch_force_share) +
+                                    " % of the fluid's share; " + rest + describe_load(f)};
+  return {Verdict::kNoise, rest + describe_load(f)};
 }
 
 }  // namespace hydroscope

@@ -142,6 +142,11 @@ TEST(InspectLedger, Verdicts) {
   EXPECT_EQ(verdict(make_release(), 15, make_figures(0.001, -0.5, 2)), Verdict::kNoise);
   EXPECT_EQ(verdict(make_release(), 16, make_figures(0.001, -0.5, 1)), Verdict::kPhysical);
   EXPECT_EQ(verdict(make_release(), {}, make_figures(0.001, kUnknown)), Verdict::kNoise);
+  // Or the patch was: the rim of what lifts off opens little.
+  ReleaseFigures rim = make_figures(0.001, 0.05);
+  rim.patch_force_share = -0.02;
+  EXPECT_EQ(verdict(make_release(), {}, rim), Verdict::kPhysical);
+  EXPECT_EQ(verdict(make_release(), 12, rim), Verdict::kNoise);
   // To and fro is chatter however far it opens.
   EXPECT_EQ(verdict(make_release(), 11, make_figures(1.0, -0.5, 3)), Verdict::kChatter);
   EXPECT_EQ(verdict(make_release("edge"), 11, make_figures(1.0, 0.1, 3)), Verdict::kChatter);
@@ -173,6 +178,7 @@ TEST(InspectLedger, PatchesAreNeighboursInTheMeshAndInTime) {
   EXPECT_EQ(ledger.patches[0].force_before, 1.5);
   EXPECT_EQ(ledger.patches[0].fluid_share, 10.0 * 1.0 + 9.0 * 2.0 + 9.0 * 2.0);
   EXPECT_NEAR((ledger.patches[0].centre - Vec3(2, 0, 0)).norm(), 0.0, 1e-12);  // round-off of thirds
+  EXPECT_EQ(ledger.episodes[ledger.patches[0].episodes[0]].figures.patch_force_share, 1.5 / 46.0);
   EXPECT_EQ(ledger.patches[1].nodes, 1);
   EXPECT_EQ(ledger.episodes[ledger.patches[1].episodes[0]].node, 5);
   EXPECT_EQ(ledger.episodes[ledger.patches[2].episodes[0]].node, 3);
@@ -187,6 +193,17 @@ TEST(InspectLedger, NeighboursAcrossADiagonalAndToolsApart) {
                             touch_and_let_go(0, 9) + touch_and_let_go(1, 9, "punch,tension,1,0,0.01"),
                         {});
   EXPECT_EQ(apart.patches.size(), 2U);
+}
+
+TEST(InspectLedger, OfEqualNumbersAPatchHasTheMoreDoubtfulVerdict) {
+  // Both press before; node 1 opens, node 2 does not.
+  const std::string lines = touches({1, 2}) + make_event_line(9, "detach", 1, "die,tension,1,0,0.01") +
+                            make_event_line(9, "detach", 2, "die,tension,1,0,0.001") +
+                            make_event_line(11, "retouch", 1) + make_event_line(11, "retouch", 2);
+  const Ledger ledger = make_small_ledger(lines, {make_strip_state(0)});
+  ASSERT_EQ(ledger.patches.size(), 1U);
+  EXPECT_THAT(ledger.patches[0].verdicts, ElementsAre(1, 1, 0));
+  EXPECT_EQ(ledger.patches[0].verdict, Verdict::kNoise);
 }
 
 /// Node 1 opens, node 3 is taken back, node 5 goes to and fro, node 8 stays.
@@ -274,6 +291,13 @@ TEST(InspectLedger, JsonAndCsvSayTheSame) {
     }
   }
   EXPECT_EQ(csv.text(0, csv.column("reason")), first.at("reason").text());
+}
+
+TEST(InspectLedger, CellsWithCommasAndQuotesReadBack) {
+  const std::string text =
+      make_csv({{"a", {}}, {"b", {}}}, {{{"a", "x, \"y\""}, {"b", 1.5}}, {{"a", "z"}, {"b", {}}}});
+  EXPECT_EQ(text, "a,b\n\"x, \"\"y\"\"\",1.5\nz,\n");
+  EXPECT_EQ(CsvTable::parse(text, "a.csv").text(0, 0), "x, \"y\"");
 }
 
 TEST(InspectLedger, LifeOfANodeHasEventsAndStates) {
