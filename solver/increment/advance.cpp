@@ -28,6 +28,7 @@ double find_corner(const Model& model, const State& state) {
     look(edge.force_x);
     look(edge.force_y);
     look(edge.tension);
+    look(edge.moment);
   }
   for (const Tool& tool : model.tools) {
     for (const Path& path : tool.motion) look(path);
