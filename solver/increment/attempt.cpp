@@ -19,7 +19,7 @@ constexpr double kVolumeTolerance = 1e-8;  // of the enclosed volume
 // The tangent knows neither that the wall thins nor that friction follows the normal force; near a
 // limit point that alone keeps the corrector from settling. The thickness stands still from the first
 // correction on, the bounds of friction after these passes: what they still lack is of the size of the last
-// correction. The thickness is renewed at the end, friction in the next increment.
+// correction. Both are renewed before the increment is accepted, the bounds of friction a few times only.
 constexpr int kSettlingPasses = 2;
 constexpr double kSettledResidual = 0.1;
 constexpr int kThicknessPasses = 6;
@@ -168,8 +168,7 @@ class Corrector {
   void evaluate_trial() {
     has_stiffness_ = attempt_.iterations > 1 && last_residual_ > kFarResidual;
     evaluate(model_, state_, attempt_.loads,
-             {.freeze_thickness = is_settled_ || attempt_.iterations > 1, .with_stiffness = has_stiffness_},
-             s_);
+             {.freeze_thickness = attempt_.iterations > 1, .with_stiffness = has_stiffness_}, s_);
     evaluate_contacts(model_, state_, attempt_.loads, is_settled_, s_);
     attempt_.residual = calc_imbalance(model_, attempt_.loads, s_).residual;
   }

@@ -39,7 +39,8 @@ class LinearSolver {
 };
 
 /// BLAS threads are fixed for the whole program, whatever --threads says, so
-/// that sums are always taken in the same order.
+/// that sums are always taken in the same order; CHOLMOD's own parallel regions are switched off with one
+/// thread (on the calling thread).
 void fix_blas_threads(int threads);
 
 }  // namespace hydroscope
