@@ -49,9 +49,13 @@ TEST(SecantUpdates, StepsAreReproduced) {
   const SmallSystem s;
   SecantUpdates updates;
   const Vector delta = Vector::LinSpaced(20, 0.1, 1.0);
-  const Vector gamma = 1.7 * (s.dense * delta);
+  Vector gamma = s.dense * delta;
+  for (int i = 0; i < 20; i += 2) gamma[i] *= 1.7;
   updates.add_step(delta, gamma);
   EXPECT_LT((updates.solve(s.solver, gamma) - delta).norm(), 1e-9 * delta.norm());
+  const Vector once = updates.solve(s.solver, s.rhs), other = Vector::LinSpaced(20, -1.0, 2.0);
+  EXPECT_NEAR(other.dot(once), s.rhs.dot(updates.solve(s.solver, other)), 1e-9 * other.norm() * once.norm())
+      << "the inverse stays symmetric";
   updates.add_step(delta, -gamma);
   EXPECT_EQ(updates.n_steps(), 1) << "negative curvature is left out";
 }
