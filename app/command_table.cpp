@@ -6,7 +6,8 @@ namespace hydroscope {
 namespace {
 
 const std::vector<std::string> kViews = {"contact-map",    "tool-normals",     "slip", "thickness",
-                                         "plastic-strain", "contact-pressure", "gap"};
+                                         "plastic-strain", "contact-pressure", "gap",  "detachment",
+                                         "chatter",        "release-margin"};
 
 const Option kSet{"--set", "", "KEY=VALUE", "Replace a key of the scene, e.g. --set tool.die.friction=0.1.",
                   true,    {}};
@@ -15,7 +16,8 @@ std::vector<Option> frame_options() {
   return {
       {"--views", "", "A,B",
        "Sequences to draw, of: contact-map, tool-normals, slip, thickness,\n"
-       "                            plastic-strain, contact-pressure, gap.",
+       "                            plastic-strain, contact-pressure, gap, detachment, chatter,\n"
+       "                            release-margin.",
        false, kViews},
       {"--frames", "", "N", "Number of frames over the process time.", false, {}},
       {"--size", "", "WxH", "Pixels of a frame, e.g. 1920x1080.", false, {}},

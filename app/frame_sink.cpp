@@ -32,6 +32,7 @@ std::string check_renderer(int rasteriser_threads) { return describe_renderer(ra
 
 FrameSink make_frame_sink(const FrameJob& job, Progress& progress) {
   FrameOptions options = make_frame_options(job.frames, job.rasteriser_threads);
+  options.later_sheet = job.later_sheet;
   options.on_progress = [&progress](int done, int of) { progress.update_drawing(done, of); };
   const auto sequence = std::make_shared<FrameSequence>(options, job.folder.frames().string());
   FrameSink sink;

@@ -15,9 +15,10 @@ FrameOptions make_frame_options(const FramesScene& frames, int rasteriser_thread
 /// Frames of a run, or of its saved states.
 struct FrameJob {
   FramesScene frames;
-  ResultFolder folder;         ///< frames go to its `frames/`
-  int expected_frames = 0;     ///< of each view, for the turn of an orbit
-  int rasteriser_threads = 1;  ///< one while the solver needs the cores
+  ResultFolder folder;                  ///< frames go to its `frames/`
+  int expected_frames = 0;              ///< of each view, for the turn of an orbit
+  int rasteriser_threads = 1;           ///< one while the solver needs the cores
+  std::optional<Bounds> later_sheet{};  ///< see FrameOptions
 };
 
 /// Draws on a thread of its own. Says on `progress` how the views that wait for the last

@@ -40,8 +40,15 @@ ExitCode render_results(const Arguments& arguments) {
   const Interrupt interrupt;
   remove_frames(folder, settings.views);
   Progress progress(stderr);
+  // Read twice, so that the camera holds from the first frame on what the last one shows.
+  Bounds sheet;
+  for (const std::filesystem::path& state : states) {
+    const Bounds box = calc_sheet_bounds(*read_state(state, model), settings.mirror);
+    sheet.include(box.least);
+    sheet.include(box.greatest);
+  }
   const FrameSink frames =
-      make_frame_sink({settings, folder, static_cast<int>(states.size()), threads}, progress);
+      make_frame_sink({settings, folder, static_cast<int>(states.size()), threads, sheet}, progress);
   int drawn = 0;
   for (const std::filesystem::path& state : states) {
     if (Interrupt::flag()) break;

@@ -37,8 +37,12 @@ struct FrameOptions {
   /// A scalar view whose range is given here is drawn while the run goes on; otherwise
   /// its frames are drawn at the end, over the range of all snapshots.
   std::map<std::string, Range> ranges;
-  /// What the camera must hold [mm]; absent: the first snapshot and the tools near it.
+  /// What the camera must hold [mm]; absent: the first snapshot, the tools near it, and the sheet
+  /// where it leaves these.
   std::optional<Bounds> bounds;
+  /// Box of the sheet over the whole sequence [mm], where it is known from the start: so that the camera
+  /// holds it from the first frame on.
+  std::optional<Bounds> later_sheet;
   /// Flat class or map colours: no light, text, ground or smooth edges, so that
   /// pixels can be counted by colour.
   bool is_flat = false;

@@ -30,27 +30,43 @@ CameraPose FramePainter::prepare(const Snapshot& snapshot, FrameNumber number) {
     check_camera(options_, static_cast<int>(snapshot.points.size()));
     views_ = std::make_unique<Views>(snapshot, options_);
   }
+  views_->hold(snapshot);
   std::optional<Vec3> look_at;
   if (options_.camera == "look-at")
     look_at = snapshot.points.at(static_cast<std::size_t>(options_.look_at_node));
   return calc_camera(options_, views_->bounds(), look_at, number.index, number.expected);
 }
 
+double FramePainter::find_since(const std::string& view, const Snapshot& snapshot, FrameNumber number) {
+  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+  const auto last = shown_.find(view);
+  double since = kNone;
+  if (last != shown_.end()) {
+    if (last->second.index == number.index) since = last->second.since;  // the same frame again
+    if (last->second.index < number.index) since = last->second.time;
+  }
+  shown_[view] = {number.index, snapshot.time, since};
+  return since;
+}
+
 std::string FramePainter::describe(const std::string& view, const Snapshot& snapshot, FrameNumber number,
                                    const std::map<std::string, Range>& ranges) {
   check_snapshot(snapshot);
-  return make_sidecar({view, number, prepare(snapshot, number), ranges, {}}, snapshot, options_, info());
+  const CameraPose camera = prepare(snapshot, number);
+  return make_sidecar({view, number, camera, ranges, {}, find_since(view, snapshot, number)}, snapshot,
+                      options_, info());
 }
 
 Frame FramePainter::paint(const std::string& view, const Snapshot& snapshot, FrameNumber number,
                           const std::map<std::string, Range>& ranges) {
   const CameraPose camera = prepare(snapshot, number);
-  const DrawList list = views_->make_draw_list(view, snapshot, camera, ranges);
+  const double since = find_since(view, snapshot, number);
+  const DrawList list = views_->make_draw_list(view, snapshot, camera, ranges, since);
   const Theme& colours = theme(options_.theme);
   Frame frame;
   frame.image = stage_.draw(list, camera, colours, find_slot(view));
   const std::string label = make_time_label(snapshot);
-  SidecarContext context{view, number, camera, ranges, {}};
+  SidecarContext context{view, number, camera, ranges, {}, since};
   if (!options_.is_flat)
     context.lettering = draw_overlay(frame.image, list.legend, snapshot.model->title, label, camera, colours);
   frame.texts = {{"Renderer", info().renderer + ", OpenGL " + info().version},

@@ -36,10 +36,17 @@ class FramePainter {
  private:
   /// Makes what the first snapshot fixes, and the camera of this frame.
   CameraPose prepare(const Snapshot& snapshot, FrameNumber number);
+  /// Process time of the view's frame before this one [s]; NaN: there was none.
+  double find_since(const std::string& view, const Snapshot& snapshot, FrameNumber number);
 
   FrameOptions options_;
   Stage stage_;
   std::unique_ptr<Views> views_;
+  struct Shown {
+    int index;
+    double time, since;  ///< [s]
+  };
+  std::map<std::string, Shown> shown_;  ///< last frame of each view
 };
 
 }  // namespace hydroscope

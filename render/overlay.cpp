@@ -30,77 +30,123 @@ class Layout {
   double scale_;
 };
 
-void draw_heading(Layout& layout, const Legend& legend, const std::string& title,
-                  const std::string& time_label) {
+/// Right end of the lines drawn [px].
+int draw_heading(Layout& layout, const Legend& legend, const std::string& title,
+                 const std::string& time_label) {
   const int x = layout.px(24);
   Canvas::TextStyle heading{.size = layout.px(25), .colour = layout.theme.text, .is_bold = true};
   layout.canvas.text(x, layout.px(16), legend.heading, heading);
   const int after = Canvas::text_size(legend.heading, heading)[0];
-  layout.canvas.text(x + after + layout.px(14), layout.px(22), title,
-                     {.size = layout.px(18), .colour = layout.theme.faint_text});
-  layout.canvas.text(x, layout.px(50), time_label, {.size = layout.px(18), .colour = layout.theme.text});
+  const Canvas::TextStyle faint{.size = layout.px(18), .colour = layout.theme.faint_text};
+  const Canvas::TextStyle plain{.size = layout.px(18), .colour = layout.theme.text};
+  const int beside = x + after + layout.px(14);
+  layout.canvas.text(beside, layout.px(22), title, faint);
+  layout.canvas.text(x, layout.px(50), time_label, plain);
+  return std::max(beside + Canvas::text_size(title, faint)[0], x + Canvas::text_size(time_label, plain)[0]);
 }
 
-/// Swatches and notes in a panel at the upper right; returns the row below it.
-int draw_swatches(Layout& layout, const Legend& legend, int top) {
-  const Canvas::TextStyle label{.size = layout.px(16), .colour = layout.theme.text};
-  const Canvas::TextStyle note{.size = layout.px(13), .colour = layout.theme.faint_text};
-  const int line = layout.px(26), square = layout.px(16), pad = layout.px(12), note_line = layout.px(18);
-  int widest = 0;
-  for (const auto& swatch : legend.swatches)
-    widest = std::max(widest, square + layout.px(10) + Canvas::text_size(swatch.label, label)[0]);
-  for (const auto& words : legend.notes) widest = std::max(widest, Canvas::text_size(words, note)[0]);
-  const int panel_width = widest + 2 * pad;
-  const int rows = static_cast<int>(legend.swatches.size()), notes = static_cast<int>(legend.notes.size());
-  const int panel_height = rows * line + notes * note_line + 2 * pad - layout.px(4);
-  if (rows + notes == 0) return top;
-  const int left = layout.width - layout.px(20) - panel_width;
-  layout.canvas.fill(left, top, panel_width, panel_height, layout.theme.panel, 0.82);
-  layout.canvas.frame(left, top, panel_width, panel_height, layout.theme.panel_frame);
+/// The panel of swatches and notes at the right: what it takes.
+struct SwatchPanel {
+  SwatchPanel(const Layout& layout, const Legend& legend)
+      : label{.size = layout.px(16), .colour = layout.theme.text},
+        note{.size = layout.px(13), .colour = layout.theme.faint_text} {
+    const int rows = static_cast<int>(legend.swatches.size()), notes = static_cast<int>(legend.notes.size());
+    if (rows + notes == 0) return;
+    int widest = 0;
+    for (const auto& swatch : legend.swatches)
+      widest = std::max(widest, layout.px(16) + layout.px(10) + Canvas::text_size(swatch.label, label)[0]);
+    for (const auto& words : legend.notes) widest = std::max(widest, Canvas::text_size(words, note)[0]);
+    width = widest + 2 * layout.px(12);
+    height = rows * layout.px(26) + notes * layout.px(18) + 2 * layout.px(12) - layout.px(4);
+  }
+
+  Canvas::TextStyle label, note;
+  int width = 0, height = 0;  ///< [px]; 0: there is nothing to show
+};
+
+void draw_swatches(Layout& layout, const Legend& legend, const SwatchPanel& panel, int top) {
+  if (panel.height == 0) return;
+  const int square = layout.px(16), pad = layout.px(12);
+  const int left = layout.width - layout.px(20) - panel.width;
+  layout.canvas.fill(left, top, panel.width, panel.height, layout.theme.panel, 0.82);
+  layout.canvas.frame(left, top, panel.width, panel.height, layout.theme.panel_frame);
   int y = top + pad;
   for (const auto& swatch : legend.swatches) {
     layout.canvas.fill(left + pad, y, square, square, swatch.colour);
     layout.canvas.frame(left + pad, y, square, square, layout.theme.faint_text);
-    const int height = Canvas::text_size(swatch.label, label)[1];
-    layout.canvas.text(left + pad + square + layout.px(10), y + (square - height) / 2, swatch.label, label);
-    y += line;
+    const int height = Canvas::text_size(swatch.label, panel.label)[1];
+    layout.canvas.text(left + pad + square + layout.px(10), y + (square - height) / 2, swatch.label,
+                       panel.label);
+    y += layout.px(26);
   }
   for (const auto& words : legend.notes) {
-    layout.canvas.text(left + pad, y, words, note);
-    y += note_line;
+    layout.canvas.text(left + pad, y, words, panel.note);
+    y += layout.px(18);
   }
-  return top + panel_height + layout.px(14);
 }
 
-int draw_bar(Layout& layout, const Legend::Bar& bar, int top) {
-  const Canvas::TextStyle label{.size = layout.px(15), .colour = layout.theme.text};
-  const int bar_width = layout.px(18), bar_height = layout.px(260), pad = layout.px(12);
-  const double step = calc_round_step((bar.range.high - bar.range.low) / 6.0);
-  const double first = step * std::ceil(bar.range.low / step - 1e-9);
-  int widest = 0;
-  for (double value = first; value <= bar.range.high + 1e-9 * step; value += step)
-    widest = std::max(widest, Canvas::text_size(format_number(value), label)[0]);
-  const int title_width = Canvas::text_size(bar.title, label)[0];
-  const int panel_width = std::max(title_width, bar_width + layout.px(14) + widest) + 2 * pad;
-  const int panel_height = bar_height + layout.px(30) + 2 * pad + layout.px(8);
-  const int left = layout.width - layout.px(20) - panel_width;
-  layout.canvas.fill(left, top, panel_width, panel_height, layout.theme.panel, 0.82);
-  layout.canvas.frame(left, top, panel_width, panel_height, layout.theme.panel_frame);
-  layout.canvas.text(left + pad, top + layout.px(9), bar.title, label);
+/// A colour bar with its ticks.
+struct BarPanel {
+  BarPanel(const Layout& layout, const Legend::Bar& bar)
+      : label{.size = layout.px(15), .colour = layout.theme.text},
+        step(calc_round_step((bar.range.high - bar.range.low) / 6.0)),
+        first(step * std::ceil(bar.range.low / step - 1e-9)) {
+    int widest = 0;
+    for (double value = first; value <= bar.range.high + 1e-9 * step; value += step)
+      widest = std::max(widest, Canvas::text_size(format_number(value), label)[0]);
+    width = std::max(Canvas::text_size(bar.title, label)[0], layout.px(18) + layout.px(14) + widest) +
+            2 * layout.px(12);
+  }
+  /// What it takes beside the bar itself.
+  static int calc_frame_height(const Layout& layout) {
+    return layout.px(30) + 2 * layout.px(12) + layout.px(8);
+  }
+
+  Canvas::TextStyle label;
+  double step, first;
+  int width = 0;  ///< [px]
+};
+
+int draw_bar(Layout& layout, const Legend::Bar& bar, int bar_height, int top) {
+  const BarPanel panel(layout, bar);
+  const int bar_width = layout.px(18), pad = layout.px(12);
+  const int panel_height = bar_height + BarPanel::calc_frame_height(layout);
+  const int left = layout.width - layout.px(20) - panel.width;
+  layout.canvas.fill(left, top, panel.width, panel_height, layout.theme.panel, 0.82);
+  layout.canvas.frame(left, top, panel.width, panel_height, layout.theme.panel_frame);
+  layout.canvas.text(left + pad, top + layout.px(9), bar.title, panel.label);
   const int x = left + pad, y = top + pad + layout.px(32);
   for (int row = 0; row < bar_height; ++row) {
     const double s = 1.0 - (row + 0.5) / bar_height;
     layout.canvas.fill(x, y + row, bar_width, 1, map_colour(*bar.table, s, 0.0, 1.0));
   }
   layout.canvas.frame(x, y, bar_width, bar_height, layout.theme.faint_text);
-  const int letters = Canvas::text_size("0", label)[1];
-  for (double value = first; value <= bar.range.high + 1e-9 * step; value += step) {
+  const int letters = Canvas::text_size("0", panel.label)[1];
+  for (double value = panel.first; value <= bar.range.high + 1e-9 * panel.step; value += panel.step) {
     const double s = (value - bar.range.low) / (bar.range.high - bar.range.low);
     const int tick = y + static_cast<int>(std::lround((1.0 - s) * (bar_height - 1)));
     layout.canvas.fill(x + bar_width, tick, layout.px(5), 1, layout.theme.faint_text);
-    layout.canvas.text(x + bar_width + layout.px(10), tick - letters / 2, format_number(value), label);
+    layout.canvas.text(x + bar_width + layout.px(10), tick - letters / 2, format_number(value), panel.label);
   }
   return top + panel_height + layout.px(14);
+}
+
+/// Where the legend begins: beside title and time label, or below them where it would meet them.
+int find_legend_top(const Layout& layout, const Legend& legend, const SwatchPanel& swatches,
+                    int heading_end) {
+  int widest = swatches.width;
+  for (const Legend::Bar& bar : legend.bars) widest = std::max(widest, BarPanel(layout, bar).width);
+  const bool meets = heading_end + layout.px(8) > layout.width - layout.px(20) - widest;
+  return layout.px(meets ? 80 : 20);
+}
+
+/// Bars shrink before the swatches below them leave the picture.
+int find_bar_height(const Layout& layout, const Legend& legend, const SwatchPanel& swatches, int top) {
+  const int bars = static_cast<int>(legend.bars.size());
+  if (bars == 0) return 0;
+  const int below = swatches.height > 0 ? swatches.height + layout.px(14) : 0;
+  const int room = (layout.height - top - below) / bars - BarPanel::calc_frame_height(layout) - layout.px(14);
+  return std::clamp(room, layout.px(100), layout.px(260));
 }
 
 /// The three directions as the camera sees them, nearest drawn last.
@@ -146,14 +192,16 @@ std::vector<PixelBox> draw_overlay(Image& image, const Legend& legend, const std
   Layout layout(image, theme);
   std::vector<PixelBox> boxes;
   const auto close_box = [&] { boxes.push_back(layout.canvas.take_touched()); };
-  draw_heading(layout, legend, title, time_label);
+  const int heading_end = draw_heading(layout, legend, title, time_label);
   close_box();
-  int top = layout.px(20);
+  const SwatchPanel swatches(layout, legend);
+  int top = find_legend_top(layout, legend, swatches, heading_end);
+  const int bar_height = find_bar_height(layout, legend, swatches, top);
   for (const Legend::Bar& bar : legend.bars) {
-    top = draw_bar(layout, bar, top);
+    top = draw_bar(layout, bar, bar_height, top);
     close_box();
   }
-  draw_swatches(layout, legend, top);
+  draw_swatches(layout, legend, swatches, top);
   close_box();
   draw_axes(layout, camera);
   close_box();

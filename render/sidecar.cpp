@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "render/contact_life.h"
 #include "render/force_balance.h"
 #include "render/image/canvas.h"
 #include "render/json_text.h"
@@ -24,6 +25,37 @@ JsonText make_counts(const Snapshot& snapshot) {
   counts.add("slip", classes.nodes[2]);
   counts.add("detached_now", classes.nodes[3]);
   return counts;
+}
+
+/// What the views of detachment show, in counts.
+JsonText make_contact_life(const Snapshot& snapshot, double since) {
+  const ContactLife life = calc_contact_life(snapshot, since);
+  const auto count = [&](LifeClass c) { return life.counts[static_cast<std::size_t>(c)]; };
+  JsonText json;
+  json.add("is_known", life.is_known);
+  json.add("let_go_in_frame", count(LifeClass::kLetGoNow));
+  json.add("let_go_before", count(LifeClass::kLetGo));
+  json.add("touching", count(LifeClass::kTouching));
+  json.add("has_not_touched", count(LifeClass::kNeverTouching));
+  json.add("near_release", life.near_release);
+  const bool has_nearest = !life.nearest.empty();
+  const int nearest = has_nearest ? life.nearest.front() : -1;
+  json.add("nearest_node", nearest);
+  json.add("least_margin", has_nearest ? life.margin[static_cast<std::size_t>(nearest)]
+                                       : std::numeric_limits<double>::quiet_NaN());
+  json.add("toggles", static_cast<double>(life.toggles));
+  json.add("nodes_by_toggles", std::vector<double>(life.toggle_counts.begin(), life.toggle_counts.end()));
+  double age = 0.0, margin = 0.0, toggles = 0.0;
+  for (std::size_t i = 0; i < snapshot.points.size(); ++i) {
+    age += std::isnan(life.age[i]) ? 0.0 : life.age[i];
+    margin += std::isnan(life.margin[i]) ? 0.0 : life.margin[i];
+    if (life.is_known)
+      toggles += static_cast<double>((i + 1) * static_cast<std::size_t>(snapshot.toggles[i]));
+  }
+  json.add("sum_of_age_s", age);
+  json.add("sum_of_margin", margin);
+  json.add("weighted_toggles", toggles);
+  return json;
 }
 
 JsonText make_camera(const CameraPose& camera) {
@@ -152,6 +184,7 @@ std::string make_sidecar(const SidecarContext& context, const Snapshot& snapshot
   json.add("counts", make_counts(snapshot));
   if (range_names(context.view).size() == 1)
     json.add("nodes_without_value", count_without_value(context.view, snapshot));
+  if (is_view_of_detachment(context.view)) json.add("detachment", make_contact_life(snapshot, context.since));
   json.add("range", ranges);
   json.add("sums", make_sums(snapshot));
   json.add("tools", tools);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <limits>
 #include <map>
 #include <string>
 #include <vector>
@@ -24,7 +25,8 @@ struct SidecarContext {
   FrameNumber number;
   CameraPose camera;
   std::map<std::string, Range> ranges;
-  std::vector<PixelBox> lettering;  ///< where text and legends stand in the picture
+  std::vector<PixelBox> lettering;                          ///< where text and legends stand in the picture
+  double since = std::numeric_limits<double>::quiet_NaN();  ///< see calc_contact_life()
 };
 
 /// The JSON beside a frame: what was drawn, in numbers that read back exactly;

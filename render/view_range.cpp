@@ -5,23 +5,31 @@
 #include <cmath>
 #include <limits>
 
+#include "render/contact_life.h"
 #include "render/view_text.h"
 #include "solver/base/error.h"
 
 namespace hydroscope {
 
-const std::vector<double>& find_field(const std::string& view, const Snapshot& snapshot) {
+std::vector<double> calc_field(const std::string& view, const Snapshot& snapshot) {
   if (view == "thickness") return snapshot.thickness;
   if (view == "plastic-strain") return snapshot.plastic_strain;
   if (view == "contact-pressure") return snapshot.contact_pressure;
   if (view == "gap") return snapshot.gap;
+  if (view == "detachment") return calc_contact_life(snapshot).age;
+  if (view == "release-margin") return calc_contact_life(snapshot).margin;
   throw InputError("view '" + view + "' is unknown; there are " + join(view_names()));
 }
 
 const std::vector<std::string>& view_names() {
   static const std::vector<std::string> names{"contact-map",    "tool-normals",     "slip", "thickness",
-                                              "plastic-strain", "contact-pressure", "gap"};
+                                              "plastic-strain", "contact-pressure", "gap",  "detachment",
+                                              "chatter",        "release-margin"};
   return names;
+}
+
+bool is_view_of_detachment(const std::string& view) {
+  return view == "detachment" || view == "chatter" || view == "release-margin";
 }
 
 ClassCounts count_classes(const Snapshot& snapshot) {
@@ -32,7 +40,7 @@ ClassCounts count_classes(const Snapshot& snapshot) {
 }
 
 std::vector<std::string> range_names(const std::string& view) {
-  if (view == "contact-map" || view == "tool-normals") return {};
+  if (view == "contact-map" || view == "tool-normals" || view == "chatter") return {};
   if (view == "slip") return {"slip", "slip-increment"};
   return {view};
 }
@@ -48,13 +56,19 @@ Range calc_range(const std::string& name, const Snapshot& snapshot) {
     include(0.0);
     for (const Vec3& v : name == "slip" ? snapshot.slip : snapshot.slip_increment) include(v.norm());
   } else {
-    for (double value : find_field(name, snapshot)) include(value);
+    if (name == "detachment") include(0.0);
+    for (double value : calc_field(name, snapshot)) include(value);
+  }
+  // Letting go in the middle of the map; from one reference force on all are equally safe.
+  if (name == "release-margin" && range.low <= range.high) {
+    const double most = std::min(1.0, std::max(-range.low, range.high));
+    range = {-most, most};
   }
   return range;
 }
 
 int count_without_value(const std::string& view, const Snapshot& snapshot) {
-  const std::vector<double>& field = find_field(view, snapshot);
+  const std::vector<double> field = calc_field(view, snapshot);
   return static_cast<int>(
       std::count_if(field.begin(), field.end(), [](double v) { return !std::isfinite(v); }));
 }

@@ -14,6 +14,9 @@ namespace hydroscope {
 /// Names of all views, for help and checks.
 const std::vector<std::string>& view_names();
 
+/// Views of how contact ends: detachment, chatter, release-margin.
+bool is_view_of_detachment(const std::string& view);
+
 /// Modelled nodes (not their mirror images) by class.
 struct ClassCounts {
   std::array<int, kContactClasses> nodes{};
@@ -32,7 +35,8 @@ int count_without_value(const std::string& view, const Snapshot& snapshot);
 /// Widened to round numbers, never empty; what a legend shows.
 Range calc_round_range(const Range& range);
 
-/// The nodal field of a scalar view. Throws InputError when the view has none.
-const std::vector<double>& find_field(const std::string& view, const Snapshot& snapshot);
+/// The nodal field of a scalar view; age [s] of the view of detachment. Throws InputError when the view has
+/// none.
+std::vector<double> calc_field(const std::string& view, const Snapshot& snapshot);
 
 }  // namespace hydroscope

@@ -14,6 +14,9 @@ ViewText find_view_text(const std::string& view) {
   if (view == "plastic-strain") return {"Equivalent plastic strain", "plastic strain [-]"};
   if (view == "contact-pressure") return {"Contact pressure", "contact pressure [MPa]"};
   if (view == "gap") return {"Gap", "gap to the nearest tool [mm]"};
+  if (view == "detachment") return {"Detachment", "time since letting go [s]"};
+  if (view == "chatter") return {"Let go and back", "times"};
+  if (view == "release-margin") return {"Margin to release", "force left [share]"};
   return {view, view};
 }
 

@@ -42,7 +42,28 @@ Bounds calc_scene_bounds(const Bounds& sheet, const std::vector<const ToolShape*
   return box;
 }
 
+/// Whether the sheet is out of the box by more than the eye forgives.
+bool has_left(const Bounds& sheet, const Bounds& box) {
+  const double margin = 0.01 * box.diagonal();
+  return ((box.least - sheet.least).array() > margin).any() ||
+         ((sheet.greatest - box.greatest).array() > margin).any();
+}
+
 }  // namespace
+
+void Views::hold(const Snapshot& snapshot) {
+  if (options_.bounds) return;
+  const Bounds sheet = calc_bounds(snapshot, sheet_.reflections());
+  if (!has_left(sheet, bounds_)) return;
+  const Vec3 more =
+      0.3 * ((bounds_.least - sheet.least).cwiseMax(0.0) + (sheet.greatest - bounds_.greatest).cwiseMax(0.0));
+  const Bounds before = bounds_;
+  for (int axis = 0; axis < 3; ++axis) {
+    if (sheet.least[axis] < before.least[axis]) bounds_.least[axis] = sheet.least[axis] - more[axis];
+    if (sheet.greatest[axis] > before.greatest[axis])
+      bounds_.greatest[axis] = sheet.greatest[axis] + more[axis];
+  }
+}
 
 Views::Views(const Snapshot& first, const FrameOptions& options)
     : options_(options), theme_(hydroscope::theme(options.theme)), sheet_(first, options.is_mirrored) {
@@ -66,6 +87,10 @@ Views::Views(const Snapshot& first, const FrameOptions& options)
   std::vector<const ToolShape*> shapes;
   for (const ToolState& tool : tools_) shapes.push_back(&tool.shape);
   bounds_ = options.bounds.value_or(calc_scene_bounds(sheet_bounds, shapes));
+  if (options.later_sheet && !options.bounds && has_left(*options.later_sheet, bounds_)) {
+    bounds_.include(options.later_sheet->least);
+    bounds_.include(options.later_sheet->greatest);
+  }
   arrow_size_ = 0.05 * sheet_bounds.diagonal();
 }
 
@@ -212,10 +237,8 @@ void Views::draw_slip(DrawList& list, const Snapshot& snapshot,
   const double width = 0.2 * arrow_size_;
   for (int node : arrow_nodes_) {
     const std::size_t i = at(node);
-    // On the face that meets the tool: its normal points away from the tool.
-    const double side = snapshot.tool_normal[i].dot(snapshot.directors[i]) > 0.0 ? -1.0 : 1.0;
-    const Vec3 out = side * snapshot.directors[i];
-    const Vec3 start = snapshot.points[i] + (0.5 * snapshot.thickness[i] + 0.3 * width) * out;
+    const Vec3 start = calc_outer_place(snapshot, node, 0.3 * width);
+    const Vec3 out = (start - snapshot.points[i]).normalized();
     accumulated.push_back({start, arrow_size_ / range.high * snapshot.slip[i], snapshot.slip[i].norm()});
     // Beside the other arrow, which mostly points the same way.
     const Vec3 beside = width * out.cross(snapshot.slip_increment[i]).normalized();
@@ -240,7 +263,7 @@ void Views::draw_scalar(DrawList& list, const std::string& view, const Snapshot&
   const ViewText text = find_view_text(view);
   list.legend.heading = text.heading;
   const ColourTable& table = colour_table(find_map(view));
-  const std::vector<double>& field = find_field(view, snapshot);
+  const std::vector<double> field = calc_field(view, snapshot);
   list.legend.bars.push_back({text.quantity, &table, range});
   const int without = count_without_value(view, snapshot);
   if (without > 0) list.legend.swatches.push_back({kNoValueColour, "no value  " + std::to_string(without)});
@@ -255,7 +278,7 @@ void Views::draw_scalar(DrawList& list, const std::string& view, const Snapshot&
 }
 
 DrawList Views::make_draw_list(const std::string& view, const Snapshot& snapshot, const CameraPose& camera,
-                               const std::map<std::string, Range>& ranges) {
+                               const std::map<std::string, Range>& ranges, double since) {
   check_snapshot(snapshot);
   require(snapshot.tool_translation.size() == tools_.size(), "the tools of a sequence stay the same");
   for (const std::string& name : range_names(view)) {
@@ -274,6 +297,13 @@ DrawList Views::make_draw_list(const std::string& view, const Snapshot& snapshot
     draw_tool_normals(list, snapshot);
   } else if (view == "slip") {
     draw_slip(list, snapshot, ranges);
+  } else if (view == "chatter") {
+    draw_chatter(list, snapshot, calc_contact_life(snapshot, since));
+  } else if (view == "detachment" || view == "release-margin") {
+    const ContactLife life = calc_contact_life(snapshot, since);
+    if (view == "detachment") draw_detachment(list, snapshot, life, ranges.at(view));
+    if (view == "release-margin") draw_release_margin(list, snapshot, life, ranges.at(view));
+    add_nearest(list, snapshot, life, camera.scale);
   } else {
     draw_scalar(list, view, snapshot, ranges.at(view));
   }

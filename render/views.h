@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "render/contact_life.h"
 #include "render/frame_options.h"
 #include "render/shape/tool_shape.h"
 #include "render/view_range.h"
@@ -22,11 +23,17 @@ class Views {
   Views(const Snapshot& first, const FrameOptions& options);
 
   /// Throws InputError for an unknown view, ContractError for a missing range.
+  /// `since`: see calc_contact_life().
   DrawList make_draw_list(const std::string& view, const Snapshot& snapshot, const CameraPose& camera,
-                          const std::map<std::string, Range>& ranges);
+                          const std::map<std::string, Range>& ranges,
+                          double since = std::numeric_limits<double>::quiet_NaN());
 
   /// What the camera holds: see FrameOptions::bounds.
   const Bounds& bounds() const { return bounds_; }
+
+  /// Widens the bounds when the sheet has left them, by a little more than needed, so that
+  /// the camera of a sequence whose end is not known yet moves seldom. Given bounds stay as they are.
+  void hold(const Snapshot& snapshot);
 
  private:
   struct ToolState {
@@ -49,6 +56,15 @@ class Views {
   void draw_contact_map(DrawList& list, const Snapshot& snapshot) const;
   void draw_tool_normals(DrawList& list, const Snapshot& snapshot) const;
   void draw_slip(DrawList& list, const Snapshot& snapshot, const std::map<std::string, Range>& ranges) const;
+  void draw_detachment(DrawList& list, const Snapshot& snapshot, const ContactLife& life,
+                       const Range& range) const;
+  void draw_chatter(DrawList& list, const Snapshot& snapshot, const ContactLife& life) const;
+  void draw_release_margin(DrawList& list, const Snapshot& snapshot, const ContactLife& life,
+                           const Range& range) const;
+  void add_nearest(DrawList& list, const Snapshot& snapshot, const ContactLife& life,
+                   double picture_scale) const;
+  /// On the face that meets the tool, `height` [mm] above it.
+  static Vec3 calc_outer_place(const Snapshot& snapshot, int node, double height);
   void draw_scalar(DrawList& list, const std::string& view, const Snapshot& snapshot,
                    const Range& range) const;
 

@@ -34,7 +34,11 @@ bool is_of_the_machine(const std::string& path) {
 bool is_count(const std::string& path) {
   constexpr std::array kKeys{"frame",  "increment", "nodes",   "quads",          "nodes_without_value",
                              "facets", "points",    "size_px", "weighted_class", "contradicting_nodes"};
+  // Of the detachment all are counts but these.
+  constexpr std::array kMeasures{"least_margin", "sum_of_age_s", "sum_of_margin"};
   const std::string key = path.substr(path.rfind('.') + 1);
+  if (path.starts_with("detachment."))
+    return std::find(kMeasures.begin(), kMeasures.end(), key) == kMeasures.end();
   return path.starts_with("counts.") || std::find(kKeys.begin(), kKeys.end(), key) != kKeys.end();
 }
 

@@ -26,9 +26,21 @@ std::map<std::string, Range> calc_ranges(const StateSequence& states, const Fram
   return ranges;
 }
 
+Bounds calc_sheet_bounds(const StateSequence& states, bool is_mirrored) {
+  Bounds bounds;
+  for (std::size_t i = 0; i < states.size(); ++i) {
+    const Bounds sheet = calc_sheet_bounds(*states.read(i), is_mirrored);
+    bounds.include(sheet.least);
+    bounds.include(sheet.greatest);
+  }
+  return bounds;
+}
+
 void paint_states(const StateSequence& states, const StatePainting& painting) {
   const std::map<std::string, Range> ranges = calc_ranges(states, painting.options);
-  FramePainter painter(painting.options);
+  FrameOptions options = painting.options;
+  options.later_sheet = calc_sheet_bounds(states, options.is_mirrored);
+  FramePainter painter(options);
   ClassPass classes(painting.options.rasteriser_threads);
   for (std::size_t i = 0; i < states.size(); ++i) {
     if (painting.is_stopped && painting.is_stopped()) return;

@@ -34,6 +34,9 @@ struct StatePainting {
 /// Ranges of the views over all states, as a finished run shows them.
 std::map<std::string, Range> calc_ranges(const StateSequence& states, const FrameOptions& options);
 
+/// Box of the sheet over all states, as drawn [mm].
+Bounds calc_sheet_bounds(const StateSequence& states, bool is_mirrored);
+
 /// Draws on the calling thread. Throws EnvironmentError when nothing can be drawn.
 void paint_states(const StateSequence& states, const StatePainting& painting);
 

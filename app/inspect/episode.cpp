@@ -60,6 +60,21 @@ void measure_forces(const ContactLog& log, const ContactEvent& event, int back, 
   if (f.fluid_share > 0.0) f.force_share = event.force_before / f.fluid_share;
 }
 
+/// With thickness and tool as in the last state before.
+void measure_noise(const ContactEvent& event, const SheetHistory& sheet, const FacetNoiseModel& model,
+                   ReleaseFigures& f) {
+  const SheetState* before = sheet.find_before(event.increment);
+  const auto tool = static_cast<std::size_t>(event.tool);
+  if (before == nullptr || tool >= model.tools.size() || tool >= before->tool_translation.size()) return;
+  const Vec3 translation = before->tool_translation[tool];
+  if (!translation.allFinite()) return;
+  const FacetNoise noise = model.tools[tool].estimate(
+      event.position - translation, before->thickness[static_cast<std::size_t>(event.node)], model.modulus);
+  f.facet_angle = noise.angle;
+  f.facet_noise = noise.pressure;
+  if (f.fluid_share > 0.0) f.facet_noise_share = noise.pressure * f.area / f.fluid_share;
+}
+
 }  // namespace
 
 const char* to_string(Verdict verdict) {
@@ -113,7 +128,8 @@ int count_toggles(const std::vector<int>& toggles, int at) {
   return most;
 }
 
-void measure_releases(const ContactLog& log, const SheetHistory& sheet, std::vector<Episode>& episodes) {
+void measure_releases(const ContactLog& log, const SheetHistory& sheet, const FacetNoiseModel& noise,
+                      std::vector<Episode>& episodes) {
   const auto toggles = gather_toggles(log);
   for (Episode& episode : episodes) {
     if (!episode.let_go) continue;
@@ -121,6 +137,7 @@ void measure_releases(const ContactLog& log, const SheetHistory& sheet, std::vec
     const int back = episode.back ? log.events[*episode.back].increment : std::numeric_limits<int>::max();
     measure_forces(log, event, back, sheet, episode.figures);
     measure_gap(event, back, sheet, episode.figures);
+    measure_noise(event, sheet, noise, episode.figures);
     episode.figures.toggles = count_toggles(toggles.at({episode.node, episode.tool}), event.increment);
   }
 }

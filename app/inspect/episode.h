@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/inspect/contact_log.h"
+#include "app/inspect/facet_noise.h"
 #include "app/inspect/sheet_history.h"
 
 namespace hydroscope {
@@ -28,7 +29,11 @@ struct ReleaseFigures {
   double gap_reached = kUnknown;    ///< largest while free: event and states [mm]; infinite: left the band
   double opening_speed = kUnknown;  ///< gap of the event over the increment's time [mm/s]
   double gap_growth = kUnknown;     ///< from the event to the first state after it, still free [mm/s]
-  int toggles = 0;                  ///< lettings go and comings back in the fullest window that holds it
+  double facet_angle = kUnknown;    ///< between the tool's facets at the node [deg]
+  double facet_noise = kUnknown;    ///< scatter of contact pressure by the tool's facets [MPa]
+  double facet_noise_share = kUnknown;  ///< of the fluid's pressure: the same times A over the fluid share
+  double patch_noise_share = kUnknown;  ///< root of the squares' sum over the patch, over its fluid share
+  int toggles = 0;                      ///< lettings go and comings back in the fullest window that holds it
 };
 
 /// Whether a letting go is one of the real wall.
@@ -61,6 +66,7 @@ constexpr int kToggleWindow = 5;
 int count_toggles(const std::vector<int>& toggles, int at);
 
 /// Fills `figures` of all episodes that ended.
-void measure_releases(const ContactLog& log, const SheetHistory& sheet, std::vector<Episode>& episodes);
+void measure_releases(const ContactLog& log, const SheetHistory& sheet, const FacetNoiseModel& noise,
+                      std::vector<Episode>& episodes);
 
 }  // namespace hydroscope

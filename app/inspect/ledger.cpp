@@ -31,6 +31,19 @@ VerdictBounds make_bounds(const ContactScene& contact, const std::vector<double>
   return bounds;
 }
 
+FacetNoiseModel make_noise_model(const Scene& scene, const SnapshotModel& model) {
+  FacetNoiseModel noise;
+  noise.modulus = scene.material.youngs_modulus / (1.0 - scene.material.poisson * scene.material.poisson);
+  for (const SnapshotModel::Tool& tool : model.tools) {
+    const auto found = scene.tools.find(tool.name);
+    noise.tools.emplace_back();
+    if (found == scene.tools.end()) continue;
+    const ToolScene& keys = found->second;
+    noise.tools.back() = {tool.mesh, find_tool_form(keys.shape, keys.surface), keys.crease_angle};
+  }
+  return noise;
+}
+
 SheetState read_sheet_state(const std::filesystem::path& file,
                             const std::shared_ptr<const SnapshotModel>& model, const SheetState* before) {
   const auto snapshot = read_state(file, model);
@@ -48,13 +61,14 @@ SheetState read_sheet_state(const std::filesystem::path& file,
 
 }  // namespace
 
-Ledger make_ledger(ContactLog log, SheetHistory sheet, const VerdictBounds& bounds) {
+Ledger make_ledger(ContactLog log, SheetHistory sheet, const VerdictBounds& bounds,
+                   const FacetNoiseModel& noise) {
   Ledger ledger;
   ledger.log = std::move(log);
   ledger.sheet = std::move(sheet);
   ledger.bounds = bounds;
   ledger.episodes = make_episodes(ledger.log);
-  measure_releases(ledger.log, ledger.sheet, ledger.episodes);
+  measure_releases(ledger.log, ledger.sheet, noise, ledger.episodes);
   ledger.patches = make_patches(ledger.log, ledger.sheet.neighbours, ledger.episodes);
   for (Episode& episode : ledger.episodes) {
     if (!episode.let_go) continue;
@@ -73,8 +87,8 @@ Ledger read_ledger(const ResultFolder& folder) {
     throw InputError(folder.path.string() + ": there is no such folder");
   const auto files = find_states(folder);
   const auto model = read_model(folder.path, files.front());
-  const VerdictBounds bounds =
-      make_bounds(read_run_scene(folder).contact, read_state(files.front(), model)->thickness);
+  const Scene scene = read_run_scene(folder);
+  const VerdictBounds bounds = make_bounds(scene.contact, read_state(files.front(), model)->thickness);
   SheetHistory sheet;
   for (const auto& file : files) {
     const SheetState* before = sheet.states.empty() ? nullptr : &sheet.states.back();
@@ -85,7 +99,7 @@ Ledger read_ledger(const ResultFolder& folder) {
   LogBounds known{nodes, {}};
   for (const SnapshotModel::Tool& tool : model->tools) known.tools.push_back(tool.name);
   ContactLog log = make_contact_log(CsvTable::read(folder.events()), CsvTable::read(folder.history()), known);
-  Ledger ledger = make_ledger(std::move(log), std::move(sheet), bounds);
+  Ledger ledger = make_ledger(std::move(log), std::move(sheet), bounds, make_noise_model(scene, *model));
   ledger.title = model->title;
   ledger.tools = known.tools;
   return ledger;

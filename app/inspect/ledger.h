@@ -21,7 +21,8 @@ struct Ledger {
 };
 
 /// Episodes, figures, verdicts and patches from what has been read.
-Ledger make_ledger(ContactLog log, SheetHistory sheet, const VerdictBounds& bounds);
+Ledger make_ledger(ContactLog log, SheetHistory sheet, const VerdictBounds& bounds,
+                   const FacetNoiseModel& noise = {});
 
 /// Reads a run's folder; finished or not. Throws InputError.
 Ledger read_ledger(const ResultFolder& folder);

@@ -59,6 +59,7 @@ std::vector<std::string> make_patch_line(const Ledger& ledger, int index) {
           causes,
           format_figure(patch.force_before),
           format_figure(patch.fluid_share),
+          format_figure(patch.facet_noise),
           format_figure(patch.gap_reached),
           std::to_string(patch.back),
           limiter_text(ledger.log.row(patch.first_increment)),
@@ -105,8 +106,8 @@ std::string make_rest_line(std::size_t left_out) {
 }
 
 std::string make_patch_table(const Ledger& ledger, const std::vector<int>& patches, std::size_t most) {
-  Lines lines = {{"patch", "nodes", "tool", "increment", "time s", "cause", "force N", "p A N", "gap mm",
-                  "back", "limited by", "verdict"}};
+  Lines lines = {{"patch", "nodes", "tool", "increment", "time s", "cause", "force N", "p A N", "noise N",
+                  "gap mm", "back", "limited by", "verdict"}};
   std::string reasons;
   const std::size_t shown = std::min(most, patches.size());
   for (std::size_t i = 0; i < shown; ++i) {
@@ -123,7 +124,11 @@ std::string make_ledger_text(const Ledger& ledger, const std::vector<std::size_t
   const LedgerSummary summary = sum_up_ledger(ledger, chosen);
   std::string text = name + ": " + ledger.title + "\n" + make_summary_text(summary, ledger);
   const std::size_t limit = most > 0 ? static_cast<std::size_t>(most) : chosen.size();
-  if (!summary.patch_list.empty()) text += make_patch_table(ledger, summary.patch_list, limit);
+  if (!summary.patch_list.empty()) {
+    text += make_patch_table(ledger, summary.patch_list, limit);
+    text += "to see it: hydroscope render " + name + " --follow detachment --patch " +
+            std::to_string(summary.patch_list.front() + 1) + "\n";
+  }
   if (chosen.empty()) return text;
   Lines lines = {{"node", "tool", "touched", "stick/slip", "let go", "time s", "back", "cause", "force N",
                   "% of p A", "contact MPa", "gap mm", "mm/s", "toggles", "limited by", "patch", "verdict"}};

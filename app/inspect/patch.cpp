@@ -2,6 +2,7 @@
 #include "app/inspect/patch.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <map>
 #include <numeric>
@@ -59,6 +60,8 @@ Patch sum_up(const ContactLog& log, const std::vector<Episode>& episodes, std::v
     patch.area += episode.figures.area;
     patch.force_before += event.force_before;
     patch.fluid_share += episode.figures.fluid_share;
+    const double noise = episode.figures.facet_noise * episode.figures.area;
+    patch.facet_noise = std::sqrt(patch.facet_noise * patch.facet_noise + noise * noise);
     patch.gap_reached = std::max(patch.gap_reached, episode.figures.gap_reached);
     if (episode.back) ++patch.back;
   }
@@ -100,8 +103,10 @@ std::vector<Patch> make_patches(const ContactLog& log, const std::vector<std::ve
     patches.push_back(sum_up(log, episodes, std::move(group)));
     const Patch& patch = patches.back();
     if (!(patch.fluid_share > 0.0)) continue;
-    for (const std::size_t i : patch.episodes)
+    for (const std::size_t i : patch.episodes) {
       episodes[i].figures.patch_force_share = patch.force_before / patch.fluid_share;
+      episodes[i].figures.patch_noise_share = patch.facet_noise / patch.fluid_share;
+    }
   }
   return patches;
 }

@@ -17,13 +17,15 @@ struct Patch {
   double area = 0.0;                         ///< [mm^2]
   double force_before = 0.0;                 ///< sum of the normal forces [N]
   double fluid_share = 0.0;                  ///< sum of p A [N]
+  double facet_noise = 0.0;                  ///< root of the sum of (dp A)^2 [N]; NaN: not known
   double gap_reached = 0.0;                  ///< largest [mm]
   int back = 0;                              ///< episodes after which the node came back
   std::array<int, 3> verdicts{};             ///< how many of each Verdict
   Verdict verdict = Verdict::kPhysical;      ///< of most; of two equal the more doubtful
 };
 
-/// Groups what let go, in order of time, and writes each episode's `patch` and `patch_force_share`.
+/// Groups what let go, in order of time, and writes each episode's `patch`, `patch_force_share`
+/// and `patch_noise_share`.
 std::vector<Patch> make_patches(const ContactLog& log, const std::vector<std::vector<int>>& neighbours,
                                 std::vector<Episode>& episodes);
 

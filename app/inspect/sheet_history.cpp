@@ -56,7 +56,7 @@ std::vector<std::vector<int>> find_neighbours(const std::vector<std::array<int, 
 SheetState make_sheet_state(const Snapshot& s) {
   const std::size_t nodes = s.points.size();
   if (s.gap.size() != nodes || s.contact_force.size() != nodes || s.tool_normal.size() != nodes ||
-      s.contact_pressure.size() != nodes || s.contact_tool.size() != nodes)
+      s.contact_pressure.size() != nodes || s.contact_tool.size() != nodes || s.thickness.size() != nodes)
     throw InputError("a contact array has another length than the points");
   SheetState state{s.increment,
                    s.time,
@@ -65,7 +65,9 @@ SheetState make_sheet_state(const Snapshot& s) {
                    {},
                    s.contact_pressure,
                    calc_node_areas(s.model->quads, s.points),
-                   s.contact_tool};
+                   s.contact_tool,
+                   s.thickness,
+                   s.tool_translation};
   for (std::size_t i = 0; i < nodes; ++i)
     state.normal_force.push_back(s.contact_force[i].dot(s.tool_normal[i]));
   return state;

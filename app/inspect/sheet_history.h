@@ -17,6 +17,8 @@ struct SheetState {
   std::vector<double> contact_pressure;  ///< smoothed [MPa]
   std::vector<double> area;              ///< a node's share of the mid-surface [mm^2]
   std::vector<int> tool;                 ///< -1: free
+  std::vector<double> thickness;         ///< [mm]
+  std::vector<Vec3> tool_translation;    ///< one a tool [mm]; not a number: taken away
 };
 
 /// The saved states in order of increments, and who is whose neighbour in the mesh.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/inspect/verdict.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "app/inspect/figure_text.h"
@@ -22,7 +23,16 @@ std::string describe_opening(const ReleaseFigures& f, const VerdictBounds& bound
 
 std::string describe_force(const ReleaseFigures& f) {
   if (std::isnan(f.force_share)) return "";
-  return "; force before: " + format_figure(100.0 * f.force_share) + " % of the fluid's share";
+  const std::string noise = std::isnan(f.facet_noise_share) ? "not known"
+                            : f.facet_noise_share == 0.0    ? "none"
+                                                         : format_figure(100.0 * f.facet_noise_share) + " %";
+  return "; force before: " + format_figure(100.0 * f.force_share) +
+         " % of the fluid's share (facet noise: " + noise + ")";
+}
+
+/// Pulled by more than the tolerance and, where that is known, than the facets' noise.
+bool is_pulled(double share, double noise, double tolerance) {
+  return share < -(std::isnan(noise) ? tolerance : std::max(tolerance, noise));
 }
 
 /// What the fluid did meanwhile: a wall may let go as it is unloaded, or be pulled off by its own stretching.
@@ -52,9 +62,9 @@ Judgement judge_release(const ContactEvent& event, const std::optional<int>& bac
   if (is_open) return {Verdict::kPhysical, opening + "; " + returned + describe_force(f) + describe_load(f)};
   const bool is_taken_back = back && *back - event.increment <= bounds.window;
   const std::string rest = opening + "; " + returned + describe_force(f);
-  if (!is_taken_back && f.force_share < -bounds.tension)
+  if (!is_taken_back && is_pulled(f.force_share, f.facet_noise_share, bounds.tension))
     return {Verdict::kPhysical, "it was pulled; " + rest + describe_load(f)};
-  if (!is_taken_back && f.patch_force_share < -bounds.tension)
+  if (!is_taken_back && is_pulled(f.patch_force_share, f.patch_noise_share, bounds.tension))
     return {Verdict::kPhysical, "its patch was pulled, " + format_figure(100.0 * f.patch_force_share) +
                                     " % of the fluid's share; " + rest + describe_load(f)};
   return {Verdict::kNoise, rest + describe_load(f)};

@@ -87,6 +87,14 @@ PolyData make_poly_data(const Snapshot& s) {
        fill_up(std::vector<std::int32_t>(s.contact_tool.begin(), s.contact_tool.end()), nodes, -1)},
   };
   if (!s.support_force.empty()) data.point_arrays.push_back({"support_force_N", 3, vectors(s.support_force)});
+  if (!s.toggles.empty()) {
+    constexpr double kNever = std::numeric_limits<double>::quiet_NaN();
+    data.point_arrays.push_back({"let_go_time_s", 1, fill_up(s.let_go_time, nodes, kNever)});
+    data.point_arrays.push_back(
+        {"toggles", 1, fill_up(std::vector<std::int32_t>(s.toggles.begin(), s.toggles.end()), nodes)});
+    data.point_arrays.push_back({"release_reference_N", 1, fill_up(s.release_reference, nodes)});
+    data.point_arrays.push_back({"release_threshold_N", 1, fill_up(s.release_threshold, nodes)});
+  }
   data.field_arrays = {
       {"TimeValue", 1, std::vector<double>{s.time}},  // the name by which ParaView knows it
       {"increment", 1, std::vector<std::int32_t>{s.increment}},
@@ -102,12 +110,26 @@ PolyData make_poly_data(const Snapshot& s) {
 }
 
 /// Empty when the file is older than the array.
-std::vector<Vec3> gather_newer(const std::vector<DataArray>& arrays, const std::string& name) {
+template <class Number>
+std::vector<Number> get_newer(const std::vector<DataArray>& arrays, const std::string& name) {
   for (const DataArray& array : arrays) {
     if (array.name != name) continue;
-    if (const auto* numbers = std::get_if<std::vector<double>>(&array.values)) return gather(*numbers);
+    if (const auto* numbers = std::get_if<std::vector<Number>>(&array.values)) return *numbers;
+    throw InputError("array '" + name + "' has another type");
   }
   return {};
+}
+
+/// The end of contact; all of it, or none in an older file.
+void get_contact_life(const PolyData& data, Snapshot& s) {
+  const auto counts = get_newer<std::int32_t>(data.point_arrays, "toggles");
+  s.toggles.assign(counts.begin(), counts.end());
+  s.let_go_time = get_newer<double>(data.point_arrays, "let_go_time_s");
+  s.release_reference = get_newer<double>(data.point_arrays, "release_reference_N");
+  s.release_threshold = get_newer<double>(data.point_arrays, "release_threshold_N");
+  for (const size_t size : {s.let_go_time.size(), s.release_reference.size(), s.release_threshold.size()})
+    if (size != s.toggles.size())
+      throw InputError("let_go_time_s, toggles, release_reference_N and release_threshold_N go together");
 }
 
 template <class Value>
@@ -143,12 +165,13 @@ Snapshot make_snapshot(const PolyData& data) {
   s.gap = data.point_array<double>("gap_mm");
   s.contact_pressure = data.point_array<double>("contact_pressure_MPa");
   s.contact_force = gather(data.point_array<double>("contact_force_N"));
-  s.support_force = gather_newer(data.point_arrays, "support_force_N");
+  s.support_force = gather(get_newer<double>(data.point_arrays, "support_force_N"));
   s.tool_normal = gather(data.point_array<double>("tool_normal"));
   s.slip = gather(data.point_array<double>("slip_mm"));
   s.slip_increment = gather(data.point_array<double>("slip_increment_mm"));
   s.tool_translation = gather(data.field_array<double>("tool_translation_mm"));
-  s.tool_force = gather_newer(data.field_arrays, "tool_force_N");
+  s.tool_force = gather(get_newer<double>(data.field_arrays, "tool_force_N"));
+  get_contact_life(data, s);
   for (const DataArray& array : data.field_arrays) {
     if (array.name.starts_with(kQuantity))
       s.quantities[array.name.substr(2)] = get_one<double>(data, array.name);

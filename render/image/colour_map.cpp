@@ -51,6 +51,8 @@ constexpr std::array<Lab, 6> kSeaPoints{
 constexpr std::array<Lab, 5> kDuskPoints{{{22, 6, -34}, {39, 1, -26}, {56, 0, 2}, {73, 1, 38}, {90, -4, 66}}};
 constexpr std::array<Lab, 5> kEmberPoints{
     {{92, 0, 3}, {78, 14, 34}, {62, 34, 48}, {45, 46, 36}, {28, 34, 12}}};
+constexpr std::array<Lab, 5> kTidePoints{
+    {{32, 50, 38}, {63, 38, 32}, {94, 0, 4}, {63, -6, -34}, {32, 10, -50}}};
 
 constexpr Theme kLight{.background_top = {214, 223, 233},
                        .background_bottom = {250, 251, 252},
@@ -81,8 +83,18 @@ constexpr Theme kDark{.background_top = {22, 26, 34},
 
 const ColourTable& colour_table(MapName name) {
   static const ColourTable sea = make_table(kSeaPoints), dusk = make_table(kDuskPoints),
-                           ember = make_table(kEmberPoints);
-  return name == MapName::kSea ? sea : name == MapName::kDusk ? dusk : ember;
+                           ember = make_table(kEmberPoints), tide = make_table(kTidePoints);
+  switch (name) {
+    case MapName::kSea:
+      return sea;
+    case MapName::kDusk:
+      return dusk;
+    case MapName::kEmber:
+      return ember;
+    case MapName::kTide:
+      return tide;
+  }
+  throw ContractError("colour map out of range");
 }
 
 Rgb map_colour(const ColourTable& table, double value, double low, double high) {

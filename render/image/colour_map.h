@@ -15,8 +15,9 @@ using ColourTable = std::array<Rgb, kColours>;
 /// Sequential maps with lightness rising evenly, safe for the usual kinds of
 /// colour blindness: `sea` (indigo, teal, yellow-green) for what starts at
 /// zero, `dusk` (blue, grey, yellow) for what has no natural zero, `ember`
-/// (pale to dark red-brown, lightness falling) for angles on a pale surface.
-enum class MapName { kSea, kDusk, kEmber };
+/// (pale to dark red-brown, lightness falling) for angles on a pale surface. `tide` (red, pale,
+/// blue; lightness the same at both ends) for what lies on either side of zero.
+enum class MapName { kSea, kDusk, kEmber, kTide };
 const ColourTable& colour_table(MapName name);
 
 /// Colour of `value` in a map over [low, high]; ends continue outside.

@@ -29,6 +29,12 @@ void check_snapshot(const Snapshot& snapshot) {
   check_size("tool_normal", snapshot.tool_normal.size(), nodes);
   check_size("slip", snapshot.slip.size(), nodes);
   check_size("slip_increment", snapshot.slip_increment.size(), nodes);
+  if (!snapshot.toggles.empty()) {
+    check_size("toggles", snapshot.toggles.size(), nodes);
+    check_size("let_go_time", snapshot.let_go_time.size(), nodes);
+    check_size("release_reference", snapshot.release_reference.size(), nodes);
+    check_size("release_threshold", snapshot.release_threshold.size(), nodes);
+  }
   check_size("tool_translation", snapshot.tool_translation.size(), snapshot.model->tools.size());
   for (const auto& quad : snapshot.model->quads)
     for (int node : quad)

@@ -32,7 +32,10 @@ class WallBuilder {
   }
   int kind(int node) const {
     if (paint_ == nullptr) return 0;
-    if (!paint_->colours.empty()) return node;
+    if (!paint_->colours.empty()) {
+      const Rgb& c = paint_->colours[at(node)];
+      return (c[0] << 16) + (c[1] << 8) + c[2];
+    }
     if (!paint_->classes.empty()) return static_cast<int>(paint_->classes[at(node)]);
     return std::isfinite(paint_->values[at(node)]) ? 0 : 1;
   }
@@ -264,6 +267,11 @@ Bounds calc_bounds(const Snapshot& snapshot, const std::vector<Reflection>& refl
   for (const Reflection& reflection : reflections)
     for (const Vec3& x : snapshot.points) bounds.include(reflection.point(x));
   return bounds;
+}
+
+Bounds calc_sheet_bounds(const Snapshot& snapshot, bool is_mirrored) {
+  return calc_bounds(snapshot,
+                     calc_reflections(is_mirrored ? snapshot.model->mirrors : std::vector<Plane>{}));
 }
 
 }  // namespace hydroscope

@@ -15,7 +15,7 @@ namespace hydroscope {
 struct NodePaint {
   std::vector<double> values;         ///< a field; NaN where it has no value
   std::vector<ContactClass> classes;  ///< categories: each node owns a quarter of its quads
-  std::vector<Rgb> colours{};         ///< each node in a colour of its own, on a quarter of its quads
+  std::vector<Rgb> colours{};         ///< a colour a node, on a quarter of its quads
 };
 
 /// What stays the same about the drawn sheet during a sequence.
@@ -80,5 +80,8 @@ struct Bounds {
 
 /// Box around the sheet with its reflections.
 Bounds calc_bounds(const Snapshot& snapshot, const std::vector<Reflection>& reflections);
+
+/// The same, as drawn.
+Bounds calc_sheet_bounds(const Snapshot& snapshot, bool is_mirrored);
 
 }  // namespace hydroscope

@@ -550,7 +550,7 @@ SceneTable make_frames() {
       {
           key<&T::views>("views", "", "Sequences to draw; an empty list draws none.")
               .one_of({"contact-map", "tool-normals", "slip", "thickness", "plastic-strain",
-                       "contact-pressure", "gap"}),
+                       "contact-pressure", "gap", "detachment", "chatter", "release-margin"}),
           key<&T::pick>(
               "pick", "",
               "Which states are drawn: a number over the process time, one an interval, or every increment.")

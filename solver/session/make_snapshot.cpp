@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/session/make_snapshot.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -52,6 +53,41 @@ void add_contact(const Model& model, const State& state, std::size_t t, std::siz
   s.slip_increment[i] = c.slip_increment;
 }
 
+/// Mean normal force of the nodes that a tool presses [N].
+double calc_mean_press(const std::vector<ContactPoint>& contacts) {
+  double sum = 0.0;
+  int pressed = 0;
+  for (const ContactPoint& c : contacts) {
+    if (!c.is_active() || c.normal_force <= 0.0) continue;
+    sum += c.normal_force;
+    ++pressed;
+  }
+  return pressed > 0 ? sum / pressed : 0.0;
+}
+
+/// When nodes let go, how often, and against which force those in contact would (mechanics 9.4).
+void add_contact_life(const Model& model, const State& state, const std::vector<double>& times, Snapshot& s) {
+  const std::size_t n = s.points.size();
+  s.let_go_time.assign(n, std::numeric_limits<double>::quiet_NaN());
+  s.toggles.assign(n, 0);
+  s.release_reference.assign(n, 0.0);
+  s.release_threshold.assign(n, 0.0);
+  for (std::size_t t = 0; t < model.tools.size(); ++t) {
+    const double mean = calc_mean_press(state.contacts[t]);
+    for (std::size_t i = 0; i < n; ++i) {
+      const ContactPoint& c = state.contacts[t][i];
+      s.toggles[i] += std::max(0, c.toggles - 1);  // the first is the first touch
+      if (c.is_active()) {
+        s.release_reference[i] = std::max(std::abs(state.pressure) * state.area[i], 0.1 * mean);
+        s.release_threshold[i] = model.contact.release_tolerance * s.release_reference[i];
+      } else if (s.contact_tool[i] < 0 && c.toggles > 0 &&
+                 static_cast<std::size_t>(c.last_toggle) < times.size()) {
+        s.let_go_time[i] = std::fmax(s.let_go_time[i], times[static_cast<std::size_t>(c.last_toggle)]);
+      }
+    }
+  }
+}
+
 /// The part of a force along the directions in which a node is held: what is left
 /// of a reaction across them is out of balance, and no support bears it.
 Vec3 calc_borne(const std::vector<Support>& supports, const Vec3& force) {
@@ -89,7 +125,8 @@ Vec3 calc_shown_translation(const Tool& tool, double time) {
 }  // namespace
 
 std::shared_ptr<const Snapshot> make_snapshot(const Model& model, const State& state,
-                                              std::shared_ptr<const SnapshotModel> shared) {
+                                              std::shared_ptr<const SnapshotModel> shared,
+                                              const std::vector<double>& times) {
   auto s = std::make_shared<Snapshot>();
   const std::size_t n = model.x0.size();
   s->model = std::move(shared);
@@ -114,6 +151,7 @@ std::shared_ptr<const Snapshot> make_snapshot(const Model& model, const State& s
     for (std::size_t i = 0; i < n; ++i) add_contact(model, state, t, i, *s);
     s->tool_translation.push_back(calc_shown_translation(model.tools[t], state.time));
   }
+  add_contact_life(model, state, times, *s);
   std::vector<double> values;
   for (const Quantity& q : model.quantities) {
     values.push_back(evaluate_quantity(model, state, q, values));

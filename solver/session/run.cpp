@@ -91,7 +91,8 @@ RunSummary Run::run(const RunObserver& observer) {
   fix_blas_threads(kBlasThreads);
   Scratch scratch(model, std::max(1, impl_->options.threads));
   State state = make_initial_state(model);
-  start_trial(state, scratch);  // gaps of the start, for the first picture
+  std::vector<double> times = {state.time};  // of the increments
+  start_trial(state, scratch);               // gaps of the start, for the first picture
   search_contacts(model, {}, scratch);
   state.contacts = scratch.trial.contacts;
 
@@ -104,7 +105,7 @@ RunSummary Run::run(const RunObserver& observer) {
     std::shared_ptr<const Snapshot> snapshot;
     {
       const PhaseTimer timer(scratch.times.snapshot);
-      snapshot = make_snapshot(model, state, impl_->shared);
+      snapshot = make_snapshot(model, state, impl_->shared, times);
     }
     observer.on_snapshot(snapshot, for_state, for_frame);
   };
@@ -117,6 +118,7 @@ RunSummary Run::run(const RunObserver& observer) {
     impl_->judge_end(state, report);
     const bool is_last = report.outcome != Outcome::kRunning;
     if (state.increment > before) {
+      times.push_back(state.time);
       if (observer.on_increment) observer.on_increment(report);
       summary.quantities = report.quantities;
     }

@@ -43,16 +43,21 @@ struct Snapshot {
   std::vector<double> thickness;       ///< [mm]
   std::vector<double> plastic_strain;  ///< equivalent, largest through the thickness
   std::vector<ContactClass> contact_state;
-  std::vector<int> contact_tool;             ///< index into model->tools; -1 free
-  std::vector<double> gap;                   ///< to the nearest tool [mm]; NaN when out of its band
-  std::vector<double> contact_pressure;      ///< smoothed [MPa]
-  std::vector<Vec3> contact_force;           ///< tool on sheet, normal and friction [N]
-  std::vector<Vec3> support_force;           ///< of supports, symmetry and edge loads [N]; empty: not known
-  std::vector<Vec3> tool_normal;             ///< at the foot point; zero when free
-  std::vector<Vec3> slip;                    ///< accumulated sliding vector [mm]
-  std::vector<Vec3> slip_increment;          ///< of the last increment [mm]
-  std::vector<Vec3> tool_translation;        ///< one a tool [mm]; no number: it has been taken away
-  std::vector<Vec3> tool_force;              ///< one a tool: its own sum over the sheet [N]; empty: not known
+  std::vector<int> contact_tool;         ///< index into model->tools; -1 free
+  std::vector<double> gap;               ///< to the nearest tool [mm]; NaN when out of its band
+  std::vector<double> contact_pressure;  ///< smoothed [MPa]
+  std::vector<Vec3> contact_force;       ///< tool on sheet, normal and friction [N]
+  std::vector<Vec3> support_force;       ///< of supports, symmetry and edge loads [N]; empty: not known
+  std::vector<Vec3> tool_normal;         ///< at the foot point; zero when free
+  std::vector<Vec3> slip;                ///< accumulated sliding vector [mm]
+  std::vector<Vec3> slip_increment;      ///< of the last increment [mm]
+  // How contact ended, and how near it is to ending. All empty: not known (older states).
+  std::vector<double> let_go_time;  ///< of a free node: when it last let go [s]; NaN: never, or it touches
+  std::vector<int> toggles;         ///< lettings go and comings back so far
+  std::vector<double> release_reference;  ///< what tension is measured against at a touching node [N]; 0 free
+  std::vector<double> release_threshold;  ///< tension from which a touching node may let go [N]; 0 free
+  std::vector<Vec3> tool_translation;     ///< one a tool [mm]; no number: it has been taken away
+  std::vector<Vec3> tool_force;           ///< one a tool: its own sum over the sheet [N]; empty: not known
   std::map<std::string, double> quantities;  ///< as declared by the scene
 };
 

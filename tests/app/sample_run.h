@@ -47,6 +47,10 @@ inline std::shared_ptr<const Snapshot> make_snapshot(const std::shared_ptr<const
     s->contact_force.emplace_back(b, -0.0, 1e300);
     s->support_force.emplace_back(-b, 1.0 / 3.0, 0);
     s->tool_normal.emplace_back(0, 0, i);
+    s->let_go_time.push_back(i == 1 ? std::numeric_limits<double>::quiet_NaN() : 0.1 / (i + 3.0));
+    s->toggles.push_back(7 * i);
+    s->release_reference.push_back(a * i);
+    s->release_threshold.push_back(5e-324 * i);
     s->slip.emplace_back(a, a, b);
     s->slip_increment.emplace_back(a * 1e-9, 0, 0);
   }

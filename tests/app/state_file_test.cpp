@@ -46,6 +46,10 @@ TEST(StateFile, RoundTripKeepsEveryBit) {
   EXPECT_TRUE(is_same(back->contact_force, s->contact_force));
   EXPECT_TRUE(is_same(back->support_force, s->support_force));
   EXPECT_TRUE(is_same(back->tool_force, s->tool_force));
+  EXPECT_TRUE(is_same(back->let_go_time, s->let_go_time));
+  EXPECT_TRUE(is_same(back->toggles, s->toggles));
+  EXPECT_TRUE(is_same(back->release_reference, s->release_reference));
+  EXPECT_TRUE(is_same(back->release_threshold, s->release_threshold));
   EXPECT_TRUE(is_same(back->tool_normal, s->tool_normal));
   EXPECT_TRUE(is_same(back->slip, s->slip));
   EXPECT_TRUE(is_same(back->slip_increment, s->slip_increment));
@@ -110,10 +114,18 @@ TEST(StateFile, WhatTheSolverDidNotSayIsNotMadeUp) {
   Snapshot s = *make_snapshot(make_model(), 1);
   s.support_force.clear();
   s.tool_force.clear();
+  s.let_go_time.clear();
+  s.toggles.clear();
+  s.release_reference.clear();
+  s.release_threshold.clear();
   write_state(s, folder.path() / "s.vtp");
   const auto back = read_state(folder.path() / "s.vtp", s.model);
   EXPECT_TRUE(back->support_force.empty());
   EXPECT_TRUE(back->tool_force.empty());
+  EXPECT_TRUE(back->let_go_time.empty());
+  EXPECT_TRUE(back->toggles.empty());
+  EXPECT_TRUE(back->release_reference.empty());
+  EXPECT_TRUE(back->release_threshold.empty());
 }
 
 TEST(StateFile, CutOffAnywhereIsAnError) {

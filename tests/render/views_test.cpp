@@ -26,6 +26,7 @@ class ViewsOfBulge : public testing::Test {
   std::shared_ptr<Snapshot> snapshot = bulge.make_snapshot(bulge.make_model(), 0.7, 3);
   std::map<std::string, Range> ranges{{"slip", {0, 2}},           {"slip-increment", {0, 0.1}},
                                       {"thickness", {1, 1.5}},    {"gap", {0, 3}},
+                                      {"detachment", {0, 1}},     {"release-margin", {-1, 1}},
                                       {"plastic-strain", {0, 1}}, {"contact-pressure", {0, 60}}};
 };
 
