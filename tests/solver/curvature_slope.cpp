@@ -65,31 +65,29 @@ TangentialRest slide_once(const ToolSurface& tool, const SpringNode& node, Curva
                           const NodeForce& force) {
   const FootPoint foot = find_foot(tool, node.point());
   const bool has_curvature = curvature != Curvature::none;
+  const NodeForce row = calc_gap_row(node.slave, foot.normal);
+  const Stiffness contact = calc_contact_stiffness(node.slave, foot, node.normal_force, {}, has_curvature,
+                                                   curvature == Curvature::symmetric);
   // Springs, contact, and the row of the gap with the change of t_N as its multiplier.
-  Eigen::Matrix<double, kDofs + 1, kDofs + 1> k = Eigen::Matrix<double, kDofs + 1, kDofs + 1>::Zero();
-  k.topLeftCorner<kDofs, kDofs>() =
-      node.springs + calc_contact_stiffness(node.slave, foot, node.normal_force, {}, has_curvature,
-                                            curvature == Curvature::symmetric);
-  k.topRightCorner<kDofs, 1>() = -calc_gap_row(node.slave, foot.normal);
-  k.bottomLeftCorner<1, kDofs>() = calc_gap_row(node.slave, foot.normal).transpose();
+  Eigen::Matrix<double, kDofs + 1, kDofs + 1> k;
+  k << node.springs + contact, -row, row.transpose(), 0.0;
   Eigen::Matrix<double, kDofs + 1, 1> rhs;
   rhs << force, 0.0;
   const Eigen::Matrix<double, kDofs + 1, 1> solution = k.fullPivLu().solve(rhs);
 
   const NodeForce q = solution.head<kDofs>();
-  const Vec3 du = node.slave.calc_map() * q;  // of the slave point
   const SpringNode after = node.moved(q);
   const FootPoint there = find_foot(tool, after.point());
-  Mat3 turning = foot.normal_gradient * (Mat3::Identity() - foot.normal * foot.normal.transpose());
   TangentialRest rest;
   rest.slide = (after.point() - node.point()).norm();
   rest.in_one_facet = there.facet == foot.facet;
   const Vec3 before = node.normal_force * foot.normal;
-  const Vec3 transport = has_curvature ? Vec3(node.normal_force * turning * du) : Vec3(Vec3::Zero());
-  rest.transported = calc_rest(before + transport, there.normal);
-  if (curvature == Curvature::symmetric) turning = (0.5 * (turning + turning.transpose())).eval();
-  const Vec3 carried = has_curvature ? Vec3(node.normal_force * turning * du) : Vec3(Vec3::Zero());
-  rest.balanced = calc_rest(before + solution[kDofs] * foot.normal + carried, there.normal);
+  Vec3 du = node.slave.calc_map() * q;  // of the slave point
+  du -= foot.normal.dot(du) * foot.normal;
+  rest.transported = calc_rest(
+      has_curvature ? Vec3(before + node.normal_force * foot.normal_gradient * du) : before, there.normal);
+  const NodeForce change = solution[kDofs] * row - contact * q;  // of the force on the node
+  rest.balanced = calc_rest(before + change.head<3>(), there.normal);
   return rest;
 }
 

@@ -36,8 +36,9 @@ enum class Curvature { none, full, symmetric };
 struct TangentialRest {
   double slide = 0.0;        ///< length of the step of the slave point [mm]
   double transported = 0.0;  ///< of t' = t + t_N dn/dx du: the force turned by what the foot point says
-  double balanced = 0.0;  ///< of t' as the step's equations have it: t + dt_N n + t_N A du, A the matrix that
-                          ///< stands in the tangent (dn/dx, its symmetric part, or nothing)
+  /// Of t' as the step's own equations have it: t + dt_N n less what the contact's part of the tangent,
+  /// calc_contact_stiffness(), gives for the step.
+  double balanced = 0.0;
   bool in_one_facet = true;  ///< the foot point has not left its facet
 };
 
