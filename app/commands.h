@@ -17,6 +17,8 @@ ExitCode render_results(const Arguments& arguments);
 ExitCode check_results(const Arguments& arguments);
 /// Lists the detachments of a run and why they came.
 ExitCode inspect_contact(const Arguments& arguments);
+/// Runs a grid of settings over scenes and draws what it shows.
+ExitCode chart_study(const Arguments& arguments);
 /// Reports on a tool mesh and draws it.
 ExitCode inspect_tool_mesh(const Arguments& arguments);
 

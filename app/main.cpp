@@ -23,6 +23,7 @@ ExitCode run_command(const CommandSyntax& command, const std::vector<std::string
   if (command.name == "render") return render_results(arguments);
   if (command.name == "check") return check_results(arguments);
   if (command.name == "inspect") return inspect_contact(arguments);
+  if (command.name == "chart") return chart_study(arguments);
   if (command.name == "tool") return inspect_tool_mesh(arguments);
   if (command.name == "reference") return print(make_scene_reference());
   return print(make_completion(arguments.operands.front()));

@@ -54,8 +54,9 @@ AxisScale::AxisScale(const ChartAxis& axis, const std::vector<double>& values)
     low_ *= std::pow(10.0, -std::max(room, 0.02));
     high_ *= std::pow(10.0, std::max(room, 0.02));
   } else {
-    const double span = high_ - low_;
-    const double room = span > 0.0 ? 0.05 * span : std::max(0.5 * std::abs(low_), 1e-9);
+    // Values that differ by rounding alone are one value, with a tenth of it on either side.
+    const double size = std::max(std::abs(low_), std::abs(high_)), span = high_ - low_;
+    const double room = span > 1e-6 * size ? 0.05 * span : std::max(0.1 * size, 1e-9);
     // Values that begin at zero keep their axis there.
     const bool from_zero = low_ >= 0.0 && low_ < 0.05 * high_;
     low_ = from_zero ? 0.0 : low_ - room;
@@ -63,7 +64,9 @@ AxisScale::AxisScale(const ChartAxis& axis, const std::vector<double>& values)
   }
   if (axis.low && (!is_log_ || *axis.low > 0.0)) low_ = *axis.low;
   if (axis.high && (!is_log_ || *axis.high > 0.0)) high_ = *axis.high;
-  if (!(high_ > low_)) high_ = is_log_ ? 10.0 * low_ : low_ + 1.0;
+  // Also what was asked for must leave room for ticks.
+  if (!(high_ - low_ > 1e-9 * std::max(std::abs(low_), std::abs(high_))))
+    high_ = is_log_ ? 10.0 * low_ : low_ + std::max(1.0, std::abs(low_));
 }
 
 bool AxisScale::takes(double value) const { return std::isfinite(value) && (!is_log_ || value > 0.0); }

@@ -98,7 +98,7 @@ void draw_sample_marker(Canvas& canvas, double x, double y, ChartMarker marker, 
     for (std::size_t i = 0; i + 1 < shape.corners.size(); i += 2)
       canvas.line(x + half * shape.corners[i][0], y - half * shape.corners[i][1],
                   x + half * shape.corners[i + 1][0], y - half * shape.corners[i + 1][1],
-                  std::max(1.6, 0.2 * size), colour);
+                  std::max(1.6, shape.stroke * size), colour);
     return;
   }
   // A fan of thick strokes from the middle fills any convex shape of this size.
@@ -143,7 +143,7 @@ void draw_chart_entries(Canvas& canvas, const ChartLayout& layout, int left, int
   for (const ChartEntry& entry : layout.entries) {
     const auto style = entry_style(layout, entry, entry.has_sample ? theme.text : theme.faint_text);
     const int before = entry.has_sample ? sample_width(layout) : 0;
-    const double middle = top + 0.6 * style.size, room = before - 0.5 * style.size;
+    const double middle = top + 0.48 * style.size, room = before - 0.5 * style.size;
     if (entry.has_sample) {
       draw_styled_line(canvas, left, middle, left + room, middle, entry.line_width, entry.line, entry.colour);
       draw_sample_marker(canvas, left + 0.5 * room, middle, entry.marker, entry.marker_size, entry.colour);

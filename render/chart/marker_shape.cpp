@@ -48,7 +48,7 @@ MarkerShape make_marker_shape(ChartMarker marker) {
     case ChartMarker::kPlus:
       return {{{-1.0, 0.0}, {1.0, 0.0}, {0.0, -1.0}, {0.0, 1.0}}, false};
     case ChartMarker::kRing:
-      return {make_ring(), false};
+      return {make_ring(), false, 0.1};
   }
   return {};
 }

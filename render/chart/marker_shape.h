@@ -12,6 +12,7 @@ namespace hydroscope {
 struct MarkerShape {
   std::vector<std::array<double, 2>> corners{};
   bool is_filled = true;
+  double stroke = 0.2;  ///< width of strokes against the marker's size
 };
 MarkerShape make_marker_shape(ChartMarker marker);
 

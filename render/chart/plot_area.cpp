@@ -64,7 +64,7 @@ class MarkerItem : public vtkContextItem {
     }
     painter.GetPen()->SetLineType(vtkPen::SOLID_LINE);
     painter.GetPen()->SetColor(c[0], c[1], c[2], 255);
-    painter.GetPen()->SetWidth(static_cast<float>(kSmoothing * 0.2 * marker.size));
+    painter.GetPen()->SetWidth(static_cast<float>(kSmoothing * shape.stroke * marker.size));
     painter.DrawLines(outline.data(), count);
   }
 };

@@ -48,6 +48,15 @@ TEST(AxisScale, DataLieInsideAndWhatHasNoLogarithmIsLeftOut) {
   EXPECT_GT(one.high(), 5.0);
 }
 
+TEST(AxisScale, ValuesThatDifferByRoundingHaveAnAxisAroundThem) {
+  const AxisScale scale({}, {1.5, std::nextafter(1.5, 2.0)});
+  EXPECT_LT(scale.low(), 1.4);
+  EXPECT_GT(scale.high(), 1.6);
+  EXPECT_LT(scale.find_ticks(8).size(), 20U);
+  const AxisScale asked({.low = 1.5, .high = std::nextafter(1.5, 2.0)}, {});
+  EXPECT_LT(asked.find_ticks(8).size(), 20U);
+}
+
 bool overlap(const PixelBox& a, const PixelBox& b) {
   return a.left < b.left + b.width && b.left < a.left + a.width && a.top < b.top + b.height &&
          b.top < a.top + a.height;
