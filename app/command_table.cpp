@@ -66,11 +66,25 @@ CommandSyntax make_render() {
   render.operand_files = "/";
   render.summary = "Draw the saved states of a run again, without solving.";
   render.options = frame_options();
+  render.options.push_back({"--follow",
+                            "",
+                            "WHAT",
+                            "detachment: a close-up of each patch that let go, with charts.",
+                            false,
+                            {"detachment"}});
+  render.options.push_back(
+      {"--patch", "", "N,M", "With --follow: these patches of hydroscope inspect.", false, {}});
+  render.options.push_back({"--node", "", "N,M", "With --follow: these nodes in the charts.", false, {}});
   render.options.push_back(kSet);
   render.details =
       "Frames go to DIR/frames/VIEW and replace those of the same view. Settings that are not given are "
       "those\n"
       "of the run. There are as many frames as saved states ([states] number in the scene).\n"
+      "With --follow, DIR/frames/detachment-PATCH/ shows states before, at and after the letting go "
+      "(--frames: how\n"
+      "many before and after, 3), coloured as the first of --views says (detachment), beside charts of the "
+      "most\n"
+      "pulled node; --set frames.zoom=4 comes closer to it.\n"
       "\nexample:\n  hydroscope render results/mu01 --views plastic-strain,gap --size 1920x1080 --theme "
       "dark\n";
   return render;

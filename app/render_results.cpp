@@ -4,6 +4,7 @@
 #include <thread>
 
 #include "app/commands.h"
+#include "app/follow_results.h"
 #include "app/frame_options.h"
 #include "app/frame_sink.h"
 #include "app/interrupt.h"
@@ -28,6 +29,9 @@ std::vector<std::filesystem::path> pick_states(const std::vector<std::filesystem
 }  // namespace
 
 ExitCode render_results(const Arguments& arguments) {
+  if (arguments.has("--follow")) return follow_results(arguments);
+  for (const char* option : {"--patch", "--node"})
+    if (arguments.has(option)) throw InputError(std::string(option) + ": only together with --follow");
   const ResultFolder folder{arguments.operands.front()};
   std::vector<std::filesystem::path> states = find_states(folder);
   const FramesScene settings = read_frames_scene(folder, arguments);

@@ -16,11 +16,6 @@ constexpr double kWidth = 0.80, kHeight = 0.84;
 // By how much of them the part's middle lies left of and below the picture's.
 constexpr double kLeft = 0.075, kBelow = 0.04;
 
-Vec3 calc_direction(double azimuth, double elevation) {
-  const double a = azimuth * std::numbers::pi / 180.0, e = elevation * std::numbers::pi / 180.0;
-  return {std::cos(a) * std::cos(e), std::sin(e), std::sin(a) * std::cos(e)};
-}
-
 /// Half height [mm] that holds the box seen from `direction`.
 double calc_scale(const Bounds& bounds, const Vec3& direction, const Vec3& up, double aspect) {
   const Vec3 right = up.cross(direction).normalized(), upright = direction.cross(right);
@@ -31,8 +26,14 @@ double calc_scale(const Bounds& bounds, const Vec3& direction, const Vec3& up, d
 
 }  // namespace
 
+Vec3 calc_direction(double azimuth, double elevation) {
+  const double a = azimuth * std::numbers::pi / 180.0, e = elevation * std::numbers::pi / 180.0;
+  return {std::cos(a) * std::cos(e), std::sin(e), std::sin(a) * std::cos(e)};
+}
+
 CameraPose calc_camera(const FrameOptions& options, const Bounds& bounds, const std::optional<Vec3>& look_at,
                        int index, int expected) {
+  if (options.pose) return *options.pose;
   const bool is_orbit = options.camera == "orbit";
   const double turned = is_orbit && expected > 1 ? options.orbit * index / expected : 0.0;
   const Vec3 direction = calc_direction(options.azimuth + turned, options.elevation);
@@ -55,6 +56,7 @@ CameraPose calc_camera(const FrameOptions& options, const Bounds& bounds, const 
 }
 
 Plane calc_cut(const FrameOptions& options, const CameraPose& camera, const Bounds& bounds) {
+  if (options.cut) return *options.cut;
   Vec3 direction = camera.position - camera.focal;
   direction.y() = 0.0;
   if (direction.norm() < 1e-6 * (camera.position - camera.focal).norm())

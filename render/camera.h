@@ -5,6 +5,9 @@
 
 namespace hydroscope {
 
+/// Unit vector towards the viewer; angles in degrees as in FrameOptions.
+Vec3 calc_direction(double azimuth, double elevation);
+
 /// The camera of frame `index` of `expected` frames. Looks at the middle of
 /// `bounds` from a direction, with a scale that holds the box from every
 /// direction of an orbit and leaves room for title and legend. `look_at` = the place of the followed node.

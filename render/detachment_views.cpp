@@ -121,8 +121,9 @@ void Views::add_nearest(DrawList& list, const Snapshot& snapshot, const ContactL
   list.legend.swatches.push_back(
       {kNearest, label(life.near_release > 0 ? "near release" : "nearest to release",
                        static_cast<long>(life.nearest.size()))});
-  list.legend.notes.push_back("nearest: node " + std::to_string(life.nearest.front()) + ", " +
-                              format_number(100.0 * least) + " % left");
+  const std::string left =
+      least >= 0.0 ? format_number(100.0 * least) + " % left" : std::string("past its threshold");
+  list.legend.notes.push_back("nearest: node " + std::to_string(life.nearest.front()) + ", " + left);
 }
 
 }  // namespace hydroscope

@@ -43,6 +43,9 @@ struct FrameOptions {
   /// Box of the sheet over the whole sequence [mm], where it is known from the start: so that the camera
   /// holds it from the first frame on.
   std::optional<Bounds> later_sheet;
+  /// A camera and a cut of the tools that are set, not found: for close-ups.
+  std::optional<CameraPose> pose;
+  std::optional<Plane> cut;
   /// Flat class or map colours: no light, text, ground or smooth edges, so that
   /// pixels can be counted by colour.
   bool is_flat = false;

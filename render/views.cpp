@@ -116,6 +116,8 @@ void Views::make_normal_arrows(ToolState& tool, const Plane& cut) const {
 }
 
 void Views::update_tools(const Snapshot& snapshot, const Plane& cut) {
+  // In a close-up a gap must not look larger than it is.
+  const double set_back = 2e-3 * (options_.pose ? options_.pose->scale : bounds_.diagonal());
   for (std::size_t i = 0; i < tools_.size(); ++i) {
     ToolState& tool = tools_[i];
     tool.is_there = snapshot.tool_translation[i].allFinite();
@@ -125,7 +127,7 @@ void Views::update_tools(const Snapshot& snapshot, const Plane& cut) {
     tool.translation = snapshot.tool_translation[i];
     tool.cut = cut;
     if (has_moved) {
-      tool.surface = share(tool.shape.make_surface(tool.translation, 2e-3 * bounds_.diagonal()));
+      tool.surface = share(tool.shape.make_surface(tool.translation, set_back));
       tool.edges = share(tool.shape.make_edges(tool.translation));
       tool.facet_edges = share(tool.shape.make_facet_edges(tool.translation));
     }

@@ -49,6 +49,13 @@ ContactEvent read_event(const CsvTable& table, std::size_t row, const LogBounds&
   return event;
 }
 
+/// Older runs have neither of the two columns, and no force of that moment.
+ReleaseNote read_note(const CsvTable& table, std::size_t row, const ContactEvent& event) {
+  const auto pressure = table.find_column("patch_pressure_MPa"), threshold = table.find_column("threshold_N");
+  if (event.kind != EventKind::kDetach || !pressure || !threshold) return {};
+  return {event.force_after, table.number(row, *threshold), table.number(row, *pressure)};
+}
+
 }  // namespace
 
 const IncrementRow& ContactLog::row(int increment) const {
@@ -85,6 +92,7 @@ ContactLog make_contact_log(const CsvTable& events, const CsvTable& history, con
     if (log.increments.count(increment) == 0)
       events.fail(i, "increment " + std::to_string(increment) + " is not in " + history.file());
     log.events.push_back(event);
+    log.notes.push_back(read_note(events, i, event));
     log.event_places.push_back(events.file() + ":" + std::to_string(events.line(i)));
   }
   return log;

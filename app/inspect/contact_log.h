@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <limits>
 #include <map>
 #include <string>
 #include <vector>
@@ -19,10 +20,18 @@ struct IncrementRow {
   int limited_at = -1;         ///< node or element; -1 none
 };
 
+/// What a run keeps of the moment within an increment in which a node let go. NaN: it keeps it not.
+struct ReleaseNote {
+  double force = std::numeric_limits<double>::quiet_NaN();      ///< normal force that released it [N]
+  double threshold = std::numeric_limits<double>::quiet_NaN();  ///< tension from which it was to let go [N]
+  double pressure = std::numeric_limits<double>::quiet_NaN();   ///< smoothed contact pressure [MPa]
+};
+
 /// The contact events of a run with the increments in which they came.
 struct ContactLog {
   std::vector<ContactEvent> events;       ///< in order of increments
   std::vector<std::string> event_places;  ///< "events.csv:12" of each
+  std::vector<ReleaseNote> notes;         ///< of each; of lettings go only
   std::map<int, IncrementRow> increments;
 
   /// The increment's row; one of zeros when there is none.

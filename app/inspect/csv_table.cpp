@@ -71,10 +71,16 @@ CsvTable CsvTable::read(const std::filesystem::path& file) {
   return parse(read_whole_file(file), file.string());
 }
 
-std::size_t CsvTable::column(const std::string& name) const {
+std::optional<std::size_t> CsvTable::find_column(const std::string& name) const {
   const auto found = std::find(head_.begin(), head_.end(), name);
-  if (found == head_.end()) fail_at(file_, 1, "there is no column '" + name + "'");
+  if (found == head_.end()) return std::nullopt;
   return static_cast<std::size_t>(found - head_.begin());
+}
+
+std::size_t CsvTable::column(const std::string& name) const {
+  const auto found = find_column(name);
+  if (!found) fail_at(file_, 1, "there is no column '" + name + "'");
+  return *found;
 }
 
 double CsvTable::number(std::size_t row, std::size_t column) const {

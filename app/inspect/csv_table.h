@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,6 +23,8 @@ class CsvTable {
 
   /// Column by its name in the head.
   std::size_t column(const std::string& name) const;
+  /// The same, none when the head does not have it: newer columns.
+  std::optional<std::size_t> find_column(const std::string& name) const;
   const std::string& text(std::size_t row, std::size_t column) const { return rows_[row][column]; }
   double number(std::size_t row, std::size_t column) const;
   int whole_number(std::size_t row, std::size_t column) const;

@@ -137,6 +137,7 @@ void measure_releases(const ContactLog& log, const SheetHistory& sheet, const Fa
     const int back = episode.back ? log.events[*episode.back].increment : std::numeric_limits<int>::max();
     measure_forces(log, event, back, sheet, episode.figures);
     measure_gap(event, back, sheet, episode.figures);
+    episode.figures.release = log.notes[*episode.let_go];
     measure_noise(event, sheet, noise, episode.figures);
     episode.figures.toggles = count_toggles(toggles.at({episode.node, episode.tool}), event.increment);
   }

@@ -23,6 +23,7 @@ struct ReleaseFigures {
   double fluid_share = kUnknown;              ///< p A of the increment before [N]
   double force_share = kUnknown;              ///< normal force before / fluid share
   double patch_force_share = kUnknown;        ///< the same of the whole patch, sum over sum
+  ReleaseNote release;                        ///< of the moment itself
   double contact_pressure_before = kUnknown;  ///< smoothed, last state before [MPa]
   double contact_pressure_after = kUnknown;   ///< smoothed, first state from then on while free [MPa]
   int state_before = -1, state_after = -1;    ///< increments of these two states; -1 none

@@ -21,13 +21,28 @@ std::string describe_opening(const ReleaseFigures& f, const VerdictBounds& bound
          format_figure(bounds.opening) + " mm";
 }
 
-std::string describe_force(const ReleaseFigures& f) {
-  if (std::isnan(f.force_share)) return "";
-  const std::string noise = std::isnan(f.facet_noise_share) ? "not known"
-                            : f.facet_noise_share == 0.0    ? "none"
-                                                         : format_figure(100.0 * f.facet_noise_share) + " %";
-  return "; force before: " + format_figure(100.0 * f.force_share) +
-         " % of the fluid's share (facet noise: " + noise + ")";
+std::string describe_noise(double noise, double factor, const char* unit) {
+  if (std::isnan(noise)) return " (facet noise: not known)";
+  if (noise == 0.0) return " (facet noise: none)";
+  return " (facet noise: " + format_figure(factor * noise) + unit + ")";
+}
+
+/// The moment itself, where the run has kept it.
+std::string describe_moment(const ReleaseNote& release) {
+  if (std::isnan(release.force) || release.threshold == 0.0) return "";
+  return "; it let go at " + format_figure(release.force) + " N, threshold " +
+         format_figure(-release.threshold) + " N, patch pressure " + format_figure(release.pressure) + " MPa";
+}
+
+/// Against the fluid's share; without fluid in N.
+std::string describe_force(const ContactEvent& event, const ReleaseFigures& f) {
+  if (!std::isnan(f.force_share))
+    return "; force before: " + format_figure(100.0 * f.force_share) + " % of the fluid's share" +
+           describe_noise(f.facet_noise_share, 100.0, " %") + describe_moment(f.release);
+  if (f.fluid_share == 0.0)
+    return "; force before: " + format_figure(event.force_before) + " N" +
+           describe_noise(f.facet_noise * f.area, 1.0, " N") + describe_moment(f.release);
+  return describe_moment(f.release);
 }
 
 /// Pulled by more than the tolerance and, where that is known, than the facets' noise.
@@ -55,13 +70,14 @@ Judgement judge_release(const ContactEvent& event, const std::optional<int>& bac
     return {Verdict::kChatter, std::to_string(f.toggles) + " times let go or back within " +
                                    std::to_string(bounds.window) + " increments; " + opening +
                                    describe_load(f)};
-  if (event.cause == "edge" || event.cause == "tool taken away")
-    return {Verdict::kPhysical,
-            (event.cause == "edge" ? "left over the tool's edge; " : "its tool was taken away; ") + returned +
-                describe_load(f)};
-  if (is_open) return {Verdict::kPhysical, opening + "; " + returned + describe_force(f) + describe_load(f)};
+  const bool is_gone = event.cause == "tool taken away";
+  if (is_gone || event.cause == "edge" || event.cause == "left the tool")
+    return {Verdict::kPhysical, (is_gone ? "its tool was taken away; " : "left over the tool's edge; ") +
+                                    returned + describe_load(f)};
+  if (is_open)
+    return {Verdict::kPhysical, opening + "; " + returned + describe_force(event, f) + describe_load(f)};
   const bool is_taken_back = back && *back - event.increment <= bounds.window;
-  const std::string rest = opening + "; " + returned + describe_force(f);
+  const std::string rest = opening + "; " + returned + describe_force(event, f);
   if (!is_taken_back && is_pulled(f.force_share, f.facet_noise_share, bounds.tension))
     return {Verdict::kPhysical, "it was pulled; " + rest + describe_load(f)};
   if (!is_taken_back && is_pulled(f.patch_force_share, f.patch_noise_share, bounds.tension))

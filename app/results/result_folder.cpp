@@ -20,7 +20,7 @@ const std::regex& known_files() {
   static const std::regex pattern(
       R"((\.?(summary\.json|history\.csv|events\.csv|model\.json|scene\.toml|overrides\.txt|states\.pvd))"
       R"(|states/\.?\d{5,}\.vtp|tools/\.?[A-Za-z0-9_-]+\.(vtp|txt))"
-      R"(|frames/[a-z-]+/\.?\d{5,}\.(png|json)|frames/\.?[a-z-]+\.(webp|mp4))"
+      R"(|frames/[a-z-]+(-\d+)?/\.?\d{5,}\.(png|json)|frames/\.?[a-z-]+(-\d+)?\.(webp|mp4))"
       R"(|check/\.?(index\.html|junit\.xml)|check/[a-z-]+/\.?\d{5,}-(expected|got|difference)\.png)(\.part)?)");
   return pattern;
 }

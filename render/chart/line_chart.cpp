@@ -242,7 +242,7 @@ Image LineChartPainter::Impl::draw(const LineChart& chart) {
   const AxisScale x(chart.x, collect(chart, true)), y(chart.y, collect(chart, false));
   const std::vector<ScaledSeries> all = find_colours(chart);
   const ChartLayout layout = make_chart_layout(chart, options.size, options.text_scale,
-                                               make_entries(chart, all), y.find_ticks(options.size[1] / 90));
+                                               make_entries(chart, all), y.find_ticks(std::max(options.size[1] / 90, 5)));
   const PlotArea area = make_area(chart, all, layout, x, y);
   Image image = painter.draw(area);
   Canvas canvas(image);

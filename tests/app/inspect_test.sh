@@ -37,6 +37,19 @@ expect 0 "nothing let go" "$program" inspect "$run" --to 1.0
 expect 0 "3 detachments" "$program" inspect "$run" --node-range 4-6
 expect 0 "physical, opened by" "$program" inspect "$run" --node 17
 
+# Close-ups of the patch: three states before, one at, three after.
+expect 0 "7 frames:  $run/frames/detachment-1/00001.png ..." "$program" render "$run" --follow detachment --size 640x360
+for phase in before before before at after after after; do
+  number=$((${number:-0} + 1))
+  grep -q "\"phase\": \"$phase\"" "$run/frames/detachment-1/0000$number.json" || fail "frame $number is not $phase"
+done
+grep -q '"let_go_in_frame": 92' "$run/frames/detachment-1/00004.json" || fail "all 92 nodes let go in frame 4"
+expect 0 "to see it: hydroscope render $run --follow detachment --patch 1" "$program" inspect "$run"
+expect 2 "--patch 2: the run has patches 1 to 1" "$program" render "$run" --follow detachment --patch 2
+expect 2 "only 'detachment' can be followed" "$program" render "$run" --follow me
+expect 2 "--patch: only together with --follow" "$program" render "$run" --patch 1
+expect 2 "--follow draws one view" "$program" render "$run" --follow detachment --views gap,slip
+
 # Bad input: where, and what.
 expect 2 "did you mean 'die'?" "$program" inspect "$run" --tool dye
 expect 2 "there is no such folder" "$program" inspect "$work/nowhere"

@@ -26,6 +26,16 @@ TEST(ColourMap, LightnessIsMonotoneSoThatGreyPrintsAndColourBlindnessLeaveTheOrd
   }
 }
 
+TEST(ColourMap, TheMapOfTwoSidesIsPalestInItsMiddleAndEvenAtItsEnds) {
+  const ColourTable& table = colour_table(MapName::kTide);
+  for (std::size_t i = 8; i <= 120; i += 8) {
+    EXPECT_GT(luminance(table[i]), luminance(table[i - 8])) << i;
+    EXPECT_GT(luminance(table[255 - i]), luminance(table[255 - i + 8])) << i;
+  }
+  EXPECT_NEAR(luminance(table.front()), luminance(table.back()), 0.02);  // rounding to sRGB's colours
+  EXPECT_GT(table.front()[0], table.front()[2]) << "red is below zero";
+}
+
 TEST(ColourMap, EndsContinueAndWhatIsNoNumberHasItsOwnColour) {
   const ColourTable& table = colour_table(MapName::kSea);
   EXPECT_EQ(map_colour(table, -5.0, 0.0, 1.0), table.front());

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/follow/chart_column.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/inspect/figure_text.h"
+#include "render/image/canvas.h"
+#include "render/image/colour_map.h"
+
+namespace hydroscope {
+
+void lay_picture(Image& frame, const Image& piece, int left, int top) {
+  const int width = std::min(piece.width, frame.width - left);
+  const int height = std::min(piece.height, frame.height - top);
+  for (int y = 0; y < height; ++y)
+    std::copy_n(piece.pixel(0, y), 4 * static_cast<std::size_t>(width), frame.pixel(left, top + y));
+}
+
+ChartColumn::ChartColumn(const Ledger& ledger, const std::vector<NodeStory>& stories,
+                         const LineChartOptions& options)
+    : theme_(options.theme),
+      curves_(make_image(options.size[0], options.size[1], hydroscope::theme(options.theme).panel)),
+      head_(options.size[1] / 14) {
+  const std::vector<LineChart> charts = make_patch_charts(ledger, stories);
+  LineChartOptions each = options;
+  each.size[1] = (options.size[1] - head_) / static_cast<int>(charts.size());
+  LineChartPainter painter(each);
+  int top = head_;
+  for (const LineChart& chart : charts) {
+    lay_picture(curves_, painter.draw(chart), 0, top);
+    places_.push_back(painter.place());
+    places_.back().plot.top += top;
+    top += each.size[1];
+  }
+  draw_head(stories);
+}
+
+void ChartColumn::draw_head(const std::vector<NodeStory>& stories) {
+  Canvas canvas(curves_);
+  const Theme& colours = theme(theme_);
+  int x = places_.front().plot.left;
+  const int square = head_ / 3, top = head_ / 6;
+  const Canvas::TextStyle style{.size = std::max(9, 3 * head_ / 10), .colour = colours.text};
+  for (std::size_t k = 0; k < stories.size(); ++k) {
+    const std::string name = "node " + std::to_string(stories[k].node);
+    canvas.fill(x, top + square / 4, square, square, find_node_colour(k));
+    canvas.text(x + 3 * square / 2, top, name, style);
+    x += 3 * square + Canvas::text_size(name, style)[0];
+  }
+}
+
+double ChartColumn::find_column(const ChartPlace& place, double time) {
+  return place.plot.left + (time - place.x[0]) / (place.x[1] - place.x[0]) * (place.plot.width - 1);
+}
+
+Image ChartColumn::draw(const ChartMoments& moments) const {
+  Image picture = curves_;
+  Canvas canvas(picture);
+  const int width = std::max(1, picture.height / 360), dash = std::max(3, picture.height / 100);
+  const auto line = [&](const ChartPlace& place, double time, Rgb colour, int period) {
+    const int x = static_cast<int>(std::lround(find_column(place, time))) - width / 2;
+    for (int y = 0; y < place.plot.height; y += period)
+      canvas.fill(x, place.plot.top + y, width, std::min((period + 1) / 2, place.plot.height - y), colour);
+  };
+  for (const ChartPlace& place : places_) {
+    line(place, moments.let_go, kReleaseLine, 2 * dash);
+    line(place, moments.now, theme_ == "dark" ? Rgb{230, 234, 240} : kTimeLine, 1);
+  }
+  const Canvas::TextStyle style{
+      .size = std::max(9, 3 * head_ / 10), .colour = kReleaseLine, .align = Canvas::Align::kRight};
+  canvas.text(picture.width - head_ / 4, head_ / 4, "let go from " + format_figure(moments.let_go) + " s",
+              style);
+  return picture;
+}
+
+}  // namespace hydroscope
