@@ -65,9 +65,10 @@ void Views::draw_detachment(DrawList& list, const Snapshot& snapshot, const Cont
   }
   list.legend.bars.push_back({find_view_text("detachment").quantity, &table, range});
   const auto count = [&](LifeClass c) { return life.counts[static_cast<std::size_t>(c)]; };
-  list.legend.swatches = {{now, label("let go in this frame", count(LifeClass::kLetGoNow))},
-                          {kTouching, label("touching", count(LifeClass::kTouching))},
-                          {kNoValueColour, label("has not touched", count(LifeClass::kNeverTouching))}};
+  list.legend.swatches = {
+      {now, label("let go in this frame", count(LifeClass::kLetGoNow))},
+      {kTouching, label("touching", count(LifeClass::kTouching))},
+      {kNoValueColour, label(life.is_known ? "has not touched" : "free", count(LifeClass::kNeverTouching))}};
   list.legend.notes.push_back(std::to_string(count(LifeClass::kLetGo)) + " nodes let go before");
   note_unknown(list, life);
   add_wall(list, snapshot, paint);
@@ -110,10 +111,14 @@ void Views::draw_release_margin(DrawList& list, const Snapshot& snapshot, const 
 void Views::add_nearest(DrawList& list, const Snapshot& snapshot, const ContactLife& life,
                         double picture_scale) const {
   if (life.nearest.empty()) return;
-  const double radius = 0.012 * picture_scale;  // a ball of 9 pixels in a picture of 720 rows
+  const double radius = 0.012 * picture_scale;            // a ball of 9 pixels in a picture of 720 rows
+  std::vector<char> is_drawn(snapshot.points.size(), 0);  // a close-up leaves out most of the sheet
+  for (const auto& quad : snapshot.model->quads)
+    for (const int node : quad) is_drawn[static_cast<std::size_t>(node)] = 1;
   std::vector<Vec3> places;
-  for (std::size_t i = 0; i < std::min(kMostMarkers, life.nearest.size()); ++i)
-    places.push_back(calc_outer_place(snapshot, life.nearest[i], 0.0));
+  for (const int node : life.nearest)
+    if (is_drawn[static_cast<std::size_t>(node)] != 0 && places.size() < kMostMarkers)
+      places.push_back(calc_outer_place(snapshot, node, 0.0));
   list.surfaces.push_back({.surface = share(make_markers(places, radius, sheet_.reflections())),
                            .colour = kNearest,
                            .faces = SurfaceItem::Faces::kFront});

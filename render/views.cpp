@@ -117,7 +117,7 @@ void Views::make_normal_arrows(ToolState& tool, const Plane& cut) const {
 
 void Views::update_tools(const Snapshot& snapshot, const Plane& cut) {
   // In a close-up a gap must not look larger than it is.
-  const double set_back = 2e-3 * (options_.pose ? options_.pose->scale : bounds_.diagonal());
+  const double set_back = options_.pose ? 0.01 * options_.pose->scale : 2e-3 * bounds_.diagonal();
   for (std::size_t i = 0; i < tools_.size(); ++i) {
     ToolState& tool = tools_[i];
     tool.is_there = snapshot.tool_translation[i].allFinite();

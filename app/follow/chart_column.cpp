@@ -20,18 +20,32 @@ void lay_picture(Image& frame, const Image& piece, int left, int top) {
 ChartColumn::ChartColumn(const Ledger& ledger, const std::vector<NodeStory>& stories,
                          const LineChartOptions& options)
     : theme_(options.theme),
-      curves_(make_image(options.size[0], options.size[1], hydroscope::theme(options.theme).panel)),
+      curves_(make_image(
+          options.size[0], options.size[1],
+          options.theme == "dark" ? hydroscope::theme("dark").background_top : Rgb{255, 255, 255})),
       head_(options.size[1] / 14) {
-  const std::vector<LineChart> charts = make_patch_charts(ledger, stories);
+  const std::vector<LineChart> charts = make_patch_charts(ledger, stories, theme_);
   LineChartOptions each = options;
   each.size[1] = (options.size[1] - head_) / static_cast<int>(charts.size());
-  LineChartPainter painter(each);
-  int top = head_;
-  for (const LineChart& chart : charts) {
-    lay_picture(curves_, painter.draw(chart), 0, top);
+  // Numbers of more digits need more room at the left: all charts begin where that one does.
+  std::vector<int> lefts;
+  {
+    LineChartPainter painter(each);
+    for (const LineChart& chart : charts) {
+      painter.draw(chart);
+      lefts.push_back(painter.place().plot.left);
+    }
+  }
+  const int left = *std::max_element(lefts.begin(), lefts.end());
+  for (std::size_t k = 0; k < charts.size(); ++k) {
+    LineChartOptions narrowed = each;
+    const int shift = left - lefts[k], top = head_ + static_cast<int>(k) * each.size[1];
+    narrowed.size[0] -= shift;
+    LineChartPainter painter(narrowed);
+    lay_picture(curves_, painter.draw(charts[k]), shift, top);
     places_.push_back(painter.place());
+    places_.back().plot.left += shift;
     places_.back().plot.top += top;
-    top += each.size[1];
   }
   draw_head(stories);
 }
@@ -44,7 +58,7 @@ void ChartColumn::draw_head(const std::vector<NodeStory>& stories) {
   const Canvas::TextStyle style{.size = std::max(9, 3 * head_ / 10), .colour = colours.text};
   for (std::size_t k = 0; k < stories.size(); ++k) {
     const std::string name = "node " + std::to_string(stories[k].node);
-    canvas.fill(x, top + square / 4, square, square, find_node_colour(k));
+    canvas.fill(x, top + square / 4, square, square, find_node_colour(k, theme_));
     canvas.text(x + 3 * square / 2, top, name, style);
     x += 3 * square + Canvas::text_size(name, style)[0];
   }

@@ -127,7 +127,7 @@ ChartColumn Follower::make_charts(const Shot& shot) const {
   return {ledger_, shot.stories,
           LineChartOptions{.size = {options_.frames.size[0] - view_width_, options_.frames.size[1]},
                            .theme = options_.frames.theme,
-                           .text_scale = 1.9,
+                           .text_scale = 1.7,
                            .rasteriser_threads = options_.frames.rasteriser_threads}};
 }
 

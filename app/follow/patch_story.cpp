@@ -123,14 +123,18 @@ NodeStory make_node_story(const Ledger& ledger, int node) {
   return story;
 }
 
-Rgb find_node_colour(std::size_t index) {
+Rgb find_node_colour(std::size_t index, const std::string& theme) {
   std::vector<Rgb> colours;
   for (const Rgb& colour : chart_colours())
     if (colour != kReleaseLine) colours.push_back(colour);
-  return colours[index % colours.size()];
+  Rgb colour = colours[index % colours.size()];
+  if (theme == "dark")  // bright enough for a dark ground
+    for (auto& channel : colour) channel = static_cast<std::uint8_t>(channel + (255 - channel) * 2 / 5);
+  return colour;
 }
 
-std::vector<LineChart> make_patch_charts(const Ledger& ledger, const std::vector<NodeStory>& stories) {
+std::vector<LineChart> make_patch_charts(const Ledger& ledger, const std::vector<NodeStory>& stories,
+                                         const std::string& theme) {
   ChartSeries fluid;
   fluid.colour = Rgb{90, 100, 114};
   fluid.line_width = kLineWidth;
@@ -144,7 +148,7 @@ std::vector<LineChart> make_patch_charts(const Ledger& ledger, const std::vector
   for (std::size_t k = 0; k < stories.size(); ++k) {
     const NodeStory& story = stories[k];
     ChartSeries series;
-    series.colour = find_node_colour(k);
+    series.colour = find_node_colour(k, theme);
     series.line_width = kLineWidth;
     series.marker = ChartMarker::kCircle;
     series.marker_size = kMarkerSize;

@@ -40,9 +40,10 @@ NodeStory make_node_story(const Ledger& ledger, int node);
 
 /// Of the line where a patch lets go; no node has it.
 constexpr Rgb kReleaseLine{213, 94, 0};
-Rgb find_node_colour(std::size_t index);
+Rgb find_node_colour(std::size_t index, const std::string& theme);
 
 /// Charts of normal force, gap, contact pressure and fluid pressure over the run's time.
-std::vector<LineChart> make_patch_charts(const Ledger& ledger, const std::vector<NodeStory>& stories);
+std::vector<LineChart> make_patch_charts(const Ledger& ledger, const std::vector<NodeStory>& stories,
+                                         const std::string& theme = "light");
 
 }  // namespace hydroscope

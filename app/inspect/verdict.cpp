@@ -24,6 +24,7 @@ std::string describe_opening(const ReleaseFigures& f, const VerdictBounds& bound
 std::string describe_noise(double noise, double factor, const char* unit) {
   if (std::isnan(noise)) return " (facet noise: not known)";
   if (noise == 0.0) return " (facet noise: none)";
+  if (factor * noise < 0.01) return std::string(" (facet noise: below 0.01") + unit + ")";
   return " (facet noise: " + format_figure(factor * noise) + unit + ")";
 }
 

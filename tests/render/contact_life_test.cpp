@@ -173,6 +173,17 @@ TEST_F(ContactLifeOfSix, MarkersStandOnTheFaceThatMeetsTheTool) {
   EXPECT_NEAR((0.5F * (least + greatest) - Vec3f(2.0F, 0.0F, 0.05F)).norm(), 0.0F, 1e-5F);
 }
 
+TEST_F(ContactLifeOfSix, ACloseUpMarksNoNodesThatItLeavesOut) {
+  press(0, 0.2);
+  press(2, 0.2);
+  const auto count_points = [&] { return draw("release-margin").surfaces.back().surface->points.size(); };
+  const std::size_t both = count_points();
+  auto cropped = std::make_shared<SnapshotModel>(*s.model);
+  cropped->quads.pop_back();  // with it goes node 2
+  s.model = cropped;
+  EXPECT_EQ(count_points(), both / 2);
+}
+
 TEST_F(ContactLifeOfSix, RangesOfTheViews) {
   s.let_go_time[1] = 1.25;
   press(0, 5.0);

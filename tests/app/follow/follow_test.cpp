@@ -249,6 +249,8 @@ TEST_F(FollowedRun, TheLineInTheChartsIsTheTimeOfTheFrame) {
     const Image picture = column.draw({.now = now, .let_go = 0.9});
     for (const ChartPlace& place : column.places()) {
       EXPECT_EQ(place.x[0], 0.0);
+      EXPECT_EQ(place.plot.left, column.places()[0].plot.left) << "one time, one column";
+      EXPECT_EQ(place.plot.width, column.places()[0].plot.width);
       EXPECT_NEAR(place.x[1], 3.0, 1e-12);  // 30 increments of 0.1 s
       // Columns of the plot that have the line's colour from top to bottom.
       std::vector<int> columns;
