@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <unistd.h>
+
 #include <algorithm>
 #include <cstdio>
 #include <sstream>
@@ -70,7 +72,8 @@ StudyOptions make_options(const Arguments& arguments, Study& study) {
   if (arguments.has("--no-timing"))
     for (StudyCase& one : study.cases) one.is_timed = false;
   StudyOptions options;
-  options.program = std::filesystem::read_symlink("/proc/self/exe").string();
+  // The very file that this process was made of, even if another has been built in its place since.
+  options.program = "/proc/" + std::to_string(getpid()) + "/exe";
   options.output = arguments.get("--output", "results/" + std::filesystem::path(study.file).stem().string());
   options.jobs = study.jobs > 0 ? study.jobs : find_machine().cores;
   if (arguments.has("--jobs")) options.jobs = parse_whole_number("--jobs", arguments.get("--jobs"), 1, 256);

@@ -98,14 +98,18 @@ StudyChart make_profile_chart(const CaseResult& result, const StudyProfile& prof
   chart.title = profile.title.empty() ? result.one->title : profile.title;
   chart.x = {.title = "angle from the x axis [°]"};
   chart.y = {.title = "wall thickness [mm]"};
-  for (const RunResult& run : result.runs) {
-    const bool is_chosen = profile.runs.empty() || std::find(profile.runs.begin(), profile.runs.end(),
-                                                             run.run.id) != profile.runs.end();
-    if (!is_chosen || !run.is_known) continue;
+  const auto is_named = [&](const RunResult& run) {
+    return std::find(profile.runs.begin(), profile.runs.end(), run.run.id) != profile.runs.end();
+  };
+  std::vector<const RunResult*> runs;
+  for (const RunResult& run : result.runs)
+    if (run.is_known && (profile.runs.empty() || is_named(run))) runs.push_back(&run);
+  if (result.finest && result.finest->is_known && is_named(*result.finest)) runs.push_back(&*result.finest);
+  for (const RunResult* run : runs) {
     try {
-      add_run(chart, *result.one, profile, run);
+      add_run(chart, *result.one, profile, *run);
     } catch (const InputError& error) {
-      chart.notes.push_back(run.run.label + ": " + error.what());
+      chart.notes.push_back(run->run.label + ": " + error.what());
     }
   }
   return {result.one->name + "-" + profile.name, chart};

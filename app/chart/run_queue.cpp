@@ -64,12 +64,12 @@ std::string find_last_words(const fs::path& log) {
   return said.empty() ? last : said;
 }
 
-void finish(const Active& active, const QueueOptions& options) {
+void finish(const Active& active) {
   RunEnd end;
   end.key = active.job->key;
   end.exit_code = active.process->exit_code();
   end.elapsed = seconds_since(active.start);
-  if (active.is_late) end.time_limit = options.time_limit;
+  if (active.is_late) end.time_limit = active.job->time_limit;
   if (end.exit_code != 0) end.message = find_last_words(log_file(*active.job));
   write_run_end(record_file(*active.job), end);
 }
@@ -88,16 +88,16 @@ void stop_all(std::vector<Active>& active) {
 
 fs::path record_file(const StudyJob& job) { return job.folder.string() + ".json"; }
 
-bool is_done(const StudyJob& job, double time_limit) {
+bool is_done(const StudyJob& job) {
   const auto end = read_run_end(record_file(job));
-  return end && end->key == job.key && (end->time_limit == 0.0 || end->time_limit >= time_limit);
+  return end && end->key == job.key && (end->time_limit == 0.0 || end->time_limit >= job.time_limit);
 }
 
 bool run_jobs(const std::vector<StudyJob>& jobs, const QueueOptions& options, StudyProgress& progress,
               const std::atomic<bool>& stop) {
   std::vector<const StudyJob*> waiting;
   for (const StudyJob& job : jobs)
-    if (!is_done(job, options.time_limit)) waiting.push_back(&job);
+    if (!is_done(job)) waiting.push_back(&job);
   std::reverse(waiting.begin(), waiting.end());
   std::vector<Active> active;
   while (!waiting.empty() || !active.empty()) {
@@ -112,16 +112,16 @@ bool run_jobs(const std::vector<StudyJob>& jobs, const QueueOptions& options, St
     }
     for (Active& one : active) {
       const double elapsed = seconds_since(one.start);
-      if (elapsed > options.time_limit && !one.is_late) {
+      if (elapsed > one.job->time_limit && !one.is_late) {
         one.is_late = true;
         one.process->stop(false);
       }
-      if (elapsed > options.time_limit + kGrace) one.process->stop(true);
+      if (elapsed > one.job->time_limit + kGrace) one.process->stop(true);
       if (!one.process->has_ended()) continue;
       // Somebody else ended it, as at the end of a session: not a result.
       const bool is_cut_off =
           !one.is_late && (one.process->exit_code() == 130 || one.process->exit_code() == -15);
-      if (!is_cut_off) finish(one, options);
+      if (!is_cut_off) finish(one);
       progress.add_done(one.process->exit_code() == 0 || one.process->exit_code() == 3);
     }
     std::erase_if(active, [](Active& one) { return one.process->has_ended(); });

@@ -19,18 +19,18 @@ struct StudyJob {
   int threads = 1;
   std::filesystem::path folder;  ///< of the results; the record is FOLDER.json, the log FOLDER.log
   std::string key;
+  double time_limit = 600.0;  ///< [s]
 };
 
 struct QueueOptions {
   std::string program;  ///< what is started: this program itself
-  double time_limit = 600.0;
   int jobs = 1;
 };
 
 std::filesystem::path record_file(const StudyJob& job);
 
 /// Whether the job has been done with the same key. A run that met a shorter time limit is done again.
-bool is_done(const StudyJob& job, double time_limit);
+bool is_done(const StudyJob& job);
 
 /// Runs what is not done, up to `jobs` at a time, in the order given. Returns false when `stop` was
 /// raised: the runs under way are ended and will be run again. Throws EnvironmentError.

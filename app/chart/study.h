@@ -103,8 +103,9 @@ struct Study {
   std::string title;
   int jobs = 0;  ///< accuracy runs at a time; 0: as many as cores
   int repeats = 3;
-  int threads = 1;            ///< of timed runs
-  double time_limit = 600.0;  ///< [s] of one run
+  int threads = 1;                    ///< of timed runs
+  double time_limit = 600.0;          ///< [s] of one run
+  double finest_time_limit = 3600.0;  ///< [s] of a finest run
   std::vector<StudyCase> cases;
   std::vector<StudyPlot> plots;
 };

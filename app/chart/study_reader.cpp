@@ -132,6 +132,8 @@ void Reader::read_item(const Item& item) {
           {{"jobs", [this](const StudyEntry& e) { study_.jobs = e.whole_number(0, 256); }},
            {"repeats", [this](const StudyEntry& e) { study_.repeats = e.whole_number(1, 99); }},
            {"threads", [this](const StudyEntry& e) { study_.threads = e.whole_number(1, 64); }},
+           {"finest_time_limit_s",
+            [this](const StudyEntry& e) { study_.finest_time_limit = e.number(0.01, 1e6); }},
            {"time_limit_s", [this](const StudyEntry& e) { study_.time_limit = e.number(0.01, 1e6); }}});
 }
 

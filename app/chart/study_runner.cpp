@@ -15,10 +15,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-StudyJob make_job(const StudyCase& one, const StudyRun& run, int repeat, int threads,
+StudyJob make_job(const Study& study, const StudyCase& one, const StudyRun& run, int repeat,
                   const StudyOptions& options, const std::string& program_hash) {
+  const int threads = repeat > 0 ? study.threads : 1;
   StudyJob job{&one, run, repeat, threads, options.output / "runs" / one.name / run.id, {}};
   if (repeat > 0) job.folder += ".t" + std::to_string(repeat);
+  job.time_limit = run.is_finest ? study.finest_time_limit : study.time_limit;
   job.key = calc_run_key(program_hash, one.scene, run, threads);
   return job;
 }
@@ -27,7 +29,8 @@ std::vector<StudyJob> make_accuracy_jobs(const Study& study, const StudyOptions&
                                          const std::string& hash) {
   std::vector<StudyJob> jobs;
   for (const StudyCase& one : study.cases)
-    for (const StudyRun& run : make_study_runs(one)) jobs.push_back(make_job(one, run, 0, 1, options, hash));
+    for (const StudyRun& run : make_study_runs(one))
+      jobs.push_back(make_job(study, one, run, 0, options, hash));
   // The finest runs take longest: first, so that nobody waits for them at the end.
   std::stable_partition(jobs.begin(), jobs.end(), [](const StudyJob& job) { return job.run.is_finest; });
   return jobs;
@@ -40,14 +43,13 @@ std::vector<StudyJob> make_timed_jobs(const Study& study, const std::vector<Case
   for (const CaseResult& result : results)
     for (int repeat = 1; repeat <= study.repeats && result.one->is_timed; ++repeat)
       for (const RunResult& run : result.runs)
-        if (!run.is_failed())
-          jobs.push_back(make_job(*result.one, run.run, repeat, study.threads, options, hash));
+        if (!run.is_failed()) jobs.push_back(make_job(study, *result.one, run.run, repeat, options, hash));
   return jobs;
 }
 
 bool run_all(const std::vector<StudyJob>& jobs, const QueueOptions& options, const char* what,
              const std::atomic<bool>& stop) {
-  const auto is_waiting = [&](const StudyJob& job) { return !is_done(job, options.time_limit); };
+  const auto is_waiting = [&](const StudyJob& job) { return !is_done(job); };
   const auto waiting = static_cast<int>(std::count_if(jobs.begin(), jobs.end(), is_waiting));
   std::fprintf(stderr, "%s: %d runs, %d of them done before, %d at a time\n", what,
                static_cast<int>(jobs.size()), static_cast<int>(jobs.size()) - waiting, options.jobs);
@@ -75,7 +77,7 @@ std::string find_revision(const fs::path& study_file, const fs::path& output) {
 
 bool run_study(const Study& study, const StudyOptions& options, const std::atomic<bool>& stop) {
   const std::string hash = calc_file_hash(options.program);
-  QueueOptions queue{options.program, study.time_limit, options.jobs};
+  QueueOptions queue{options.program, options.jobs};
   if (!run_all(make_accuracy_jobs(study, options, hash), queue, "accuracy", stop)) return false;
   const auto timed = make_timed_jobs(study, read_study_results(study, options), options, hash);
   queue.jobs = 1;
@@ -88,12 +90,12 @@ std::vector<CaseResult> read_study_results(const Study& study, const StudyOption
   for (const StudyCase& one : study.cases) {
     CaseResult result{.one = &one};
     for (const StudyRun& run : make_study_runs(one)) {
-      const StudyJob job = make_job(one, run, 0, 1, options, hash);
+      const StudyJob job = make_job(study, one, run, 0, options, hash);
       auto end = read_run_end(record_file(job));
       if (end && end->key != job.key) end.reset();  // of other settings: not this run's
       RunResult read = read_run_result(one, run, job.folder, end);
       for (int repeat = 1; repeat <= study.repeats && one.is_timed && !run.is_finest; ++repeat) {
-        const StudyJob timed = make_job(one, run, repeat, study.threads, options, hash);
+        const StudyJob timed = make_job(study, one, run, repeat, options, hash);
         const auto timed_end = read_run_end(record_file(timed));
         if (!timed_end || timed_end->key != timed.key) continue;
         const double wall = read_solving_time(timed.folder);
