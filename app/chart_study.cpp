@@ -76,6 +76,7 @@ StudyOptions make_options(const Arguments& arguments, Study& study) {
   options.program = "/proc/" + std::to_string(getpid()) + "/exe";
   options.output = arguments.get("--output", "results/" + std::filesystem::path(study.file).stem().string());
   options.jobs = study.jobs > 0 ? study.jobs : find_machine().cores;
+  options.takes_any = arguments.has("--draw-only");
   if (arguments.has("--jobs")) options.jobs = parse_whole_number("--jobs", arguments.get("--jobs"), 1, 256);
   if (arguments.has("--size")) options.size = parse_size("--size", arguments.get("--size"));
   options.theme = arguments.get("--theme", options.theme);

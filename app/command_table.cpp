@@ -187,20 +187,32 @@ CommandSyntax make_chart() {
   chart.operand_files = "toml";
   chart.summary = "Run a study: settings side by side, on charts.";
   chart.options = {
-      {"--output", "-o", "DIR", "Folder for runs, charts and report (default: results/NAME of the study).", false, {}},
+      {"--output",
+       "-o",
+       "DIR",
+       "Folder for runs, charts and report (default: results/NAME of the study).",
+       false,
+       {}},
       {"--only", "", "A,B", "Only these cases.", false, {}},
       {"--list", "", "", "Only list the runs.", false, {}},
       {"--jobs", "", "N", "Accuracy runs at a time (default: as many as cores).", false, {}},
       {"--repeats", "", "N", "Timed repeats of each run.", false, {}},
       {"--no-timing", "", "", "No timed runs, and no charts of wall time.", false, {}},
-      {"--draw-only", "", "", "Run nothing: charts and report from the runs that are there.", false, {}},
+      {"--draw-only",
+       "",
+       "",
+       "Run nothing: charts and report from the runs that are there, whatever made them.",
+       false,
+       {}},
       {"--size", "", "WxH", "Pixels of a chart (default 1600x1000).", false, {}},
       {"--theme", "", "NAME", "light or dark.", false, {"light", "dark"}},
   };
   chart.details =
-      "Each run is a process of this program in DIR/runs. What has been run with the same program, scene and\n"
+      "Each run is a process of this program in DIR/runs. What has been run with the same program, scene "
+      "and\n"
       "settings is not run again: after Ctrl-C the same command goes on. A run that fails is a point on the\n"
-      "charts, with its cause. DIR gets report.md, a PNG and a CSV for each chart, and tables of all values.\n"
+      "charts, with its cause. DIR gets report.md, a PNG and a CSV for each chart, and tables of all "
+      "values.\n"
       "\nexamples:\n  hydroscope chart scenes/studies/methods.toml -o results/methods\n"
       "  hydroscope chart scenes/studies/methods.toml -o results/methods --only square-die-thin --repeats 1\n"
       "\nAll keys of a study: docs/charts.md\n";

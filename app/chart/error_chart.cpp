@@ -10,7 +10,6 @@ namespace {
 
 constexpr double kLeastError = 1e-5;   ///< [%]: less is not told apart on the chart
 constexpr std::size_t kMostNamed = 4;  ///< failed runs are numbered when there are more
-constexpr std::size_t kMostNotes = 16;
 
 const std::vector<ChartMarker>& markers() {
   static const std::vector<ChartMarker> all = {ChartMarker::kCircle,  ChartMarker::kSquare,
@@ -110,24 +109,29 @@ void add_elsewhere(LineChart& chart, const StudyCase& one, CostKind kind) {
   if (!series.x.empty()) chart.series.push_back(series);
 }
 
+/// Crosses, and below the legend who failed of what; what failed of the same stands together.
 void add_failures(LineChart& chart, const CaseResult& result, CostKind kind) {
   const auto count = static_cast<std::size_t>(std::count_if(
       result.runs.begin(), result.runs.end(), [](const RunResult& run) { return run.is_failed(); }));
   chart.failure_title = "failed";
-  std::vector<std::string> causes;
+  std::vector<std::pair<std::string, std::string>> causes;  // cause, and who
   for (const RunResult& run : result.runs) {
     if (!run.is_failed()) continue;
     const std::string number = std::to_string(chart.failures.size() + 1);
+    const std::string name = count > kMostNamed ? number + " (" + run.run.label + ")" : run.run.label;
     ChartFailure failure{std::nullopt, count > kMostNamed ? number : run.run.label};
     const double cost = find_cost(run, kind);
     if (std::isfinite(cost) && cost > 0.0) failure.x = cost;
     chart.failures.push_back(failure);
-    causes.push_back((count > kMostNamed ? number + "  " : "") + run.run.label + ": " + run.cause);
+    const auto same =
+        std::find_if(causes.begin(), causes.end(), [&](const auto& c) { return c.first == run.cause; });
+    if (same == causes.end())
+      causes.emplace_back(run.cause, name);
+    else
+      same->second += ", " + name;
   }
   if (!causes.empty()) chart.notes.push_back("Failed:");
-  for (std::size_t i = 0; i < std::min(causes.size(), kMostNotes); ++i) chart.notes.push_back(causes[i]);
-  if (causes.size() > kMostNotes)
-    chart.notes.push_back("and " + std::to_string(causes.size() - kMostNotes) + " more, in the report");
+  for (const auto& [cause, who] : causes) chart.notes.push_back(who + ": " + cause);
 }
 
 std::string describe_error(const StudyCase& one) {

@@ -1,89 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // From the text of a study to its values; study_checks.cpp looks at what they name.
 #include <algorithm>
-#include <functional>
 #include <map>
 
 #include "app/chart/closed_forms.h"
 #include "app/chart/study.h"
 #include "app/chart/study_checks.h"
 #include "app/chart/study_entry.h"
+#include "app/chart/study_keys.h"
 #include "solver/base/error.h"
 #include "solver/base/whole_file.h"
 
 namespace hydroscope {
 namespace {
-
-using Path = std::vector<std::string>;
-using Setter = std::function<void(const StudyEntry&)>;
-using Setters = std::map<std::string, Setter>;
-
-template <class Item>
-Item& find_or_add(std::vector<Item>& items, const std::string& name, const std::string& where) {
-  const auto found =
-      std::find_if(items.begin(), items.end(), [&](const Item& item) { return item.name == name; });
-  if (found != items.end()) return *found;
-  items.emplace_back();
-  items.back().name = name;
-  items.back().where = where;
-  return items.back();
-}
-
-std::string join_path(const Path& path, std::size_t first) {
-  std::string text;
-  for (std::size_t i = first; i < path.size(); ++i) text += (text.empty() ? "" : ".") + path[i];
-  return text;
-}
-
-SceneOverride make_scene_override(const SourceEntry& entry, std::size_t first) {
-  const std::string key = join_path(entry.path, first), value = write_toml(entry.value);
-  return {key, value, entry.where + ": " + key + " = " + value};
-}
-
-void set_key(const SourceEntry& entry, const std::string& table, const Setters& setters) {
-  const auto found = setters.find(entry.path.back());
-  if (found == setters.end()) {
-    std::vector<std::string> known;
-    for (const auto& [name, setter] : setters) known.push_back(name);
-    fail_unknown(entry.where, "key in " + table, entry.path.back(), known);
-  }
-  found->second(StudyEntry(entry));
-}
-
-Setter to(std::string& text) {
-  return [&text](const StudyEntry& e) { text = e.text(); };
-}
-Setter to(bool& flag) {
-  return [&flag](const StudyEntry& e) { flag = e.flag(); };
-}
-Setter to(std::vector<double>& numbers) {
-  return [&numbers](const StudyEntry& e) { numbers = e.numbers(); };
-}
-Setter to(std::vector<std::string>& texts) {
-  return [&texts](const StudyEntry& e) { texts = e.texts(); };
-}
-Setter to(std::optional<double>& number) {
-  return [&number](const StudyEntry& e) { number = e.number(-1e12, 1e12); };
-}
-
-/// One table header or one `key = value`, in the order of the file.
-struct Item {
-  int line = 0;
-  const SourceTable* table = nullptr;
-  const SourceEntry* entry = nullptr;
-  const Path& path() const { return table != nullptr ? table->path : entry->path; }
-  const std::string& where() const { return table != nullptr ? table->where : entry->where; }
-};
-
-int find_line(const std::string& where) { return std::stoi(where.substr(where.rfind(':') + 1)); }
-
-std::vector<Item> sort_items(const SceneSource& source) {
-  std::vector<Item> items;
-  for (const SourceTable& table : source.tables) items.push_back({find_line(table.where), &table, nullptr});
-  for (const SourceEntry& entry : source.entries) items.push_back({find_line(entry.where), nullptr, &entry});
-  std::stable_sort(items.begin(), items.end(), [](const Item& a, const Item& b) { return a.line < b.line; });
-  return items;
-}
 
 class Reader {
  public:
@@ -92,29 +21,30 @@ class Reader {
   }
 
   Study read(const SceneSource& source) {
-    for (const Item& item : sort_items(source)) read_item(item);
+    for (const StudyItem& item : sort_study_items(source)) read_item(item);
     return std::move(study_);
   }
 
  private:
-  void read_item(const Item& item);
-  void read_case(const Item& item);
-  void read_case_part(const Item& item, StudyCase& one);
-  void read_axis(const Item& item, StudyCase& one);
+  void read_item(const StudyItem& item);
+  void read_case(const StudyItem& item);
+  void read_case_part(const StudyItem& item, StudyCase& one);
+  void read_axis(const StudyItem& item, StudyCase& one);
   void read_quantity(const SourceEntry& entry, StudyQuantity& quantity);
   void read_plot(const SourceEntry& entry, StudyPlot& plot);
-  void read_setting(const Item& item, StudySetting& setting, std::size_t depth, const std::string& table);
+  void read_setting(const StudyItem& item, StudySetting& setting, std::size_t depth,
+                    const std::string& table);
   std::string locate(const std::string& file) const { return (folder_ / file).lexically_normal().string(); }
 
   std::filesystem::path folder_;
   Study study_;
 };
 
-void Reader::read_item(const Item& item) {
-  const Path& path = item.path();
+void Reader::read_item(const StudyItem& item) {
+  const StudyPath& path = item.path();
   const std::vector<std::string> tables = {"run", "case", "plot"};
   if (path.size() == 1 && item.entry != nullptr)
-    return set_key(*item.entry, "the top of the file", {{"title", to(study_.title)}});
+    return set_study_key(*item.entry, "the top of the file", {{"title", to(study_.title)}});
   if (std::find(tables.begin(), tables.end(), path[0]) == tables.end())
     fail_unknown(item.where(), "table", path[0], tables);
   if (path[0] == "case") return read_case(item);
@@ -128,17 +58,17 @@ void Reader::read_item(const Item& item) {
   if (item.entry == nullptr) return;
   if (path[0] == "plot")
     throw InputError(item.where() + ": [plot.NAME] expected, with a name of your choice");
-  set_key(*item.entry, "[run]",
-          {{"jobs", [this](const StudyEntry& e) { study_.jobs = e.whole_number(0, 256); }},
-           {"repeats", [this](const StudyEntry& e) { study_.repeats = e.whole_number(1, 99); }},
-           {"threads", [this](const StudyEntry& e) { study_.threads = e.whole_number(1, 64); }},
-           {"finest_time_limit_s",
-            [this](const StudyEntry& e) { study_.finest_time_limit = e.number(0.01, 1e6); }},
-           {"time_limit_s", [this](const StudyEntry& e) { study_.time_limit = e.number(0.01, 1e6); }}});
+  set_study_key(*item.entry, "[run]",
+                {{"jobs", [this](const StudyEntry& e) { study_.jobs = e.whole_number(0, 256); }},
+                 {"repeats", [this](const StudyEntry& e) { study_.repeats = e.whole_number(1, 99); }},
+                 {"threads", [this](const StudyEntry& e) { study_.threads = e.whole_number(1, 64); }},
+                 {"finest_time_limit_s",
+                  [this](const StudyEntry& e) { study_.finest_time_limit = e.number(0.01, 1e6); }},
+                 {"time_limit_s", [this](const StudyEntry& e) { study_.time_limit = e.number(0.01, 1e6); }}});
 }
 
-void Reader::read_case(const Item& item) {
-  const Path& path = item.path();
+void Reader::read_case(const StudyItem& item) {
+  const StudyPath& path = item.path();
   if (path.size() < 2) return;
   if (path.size() == 2 && item.entry != nullptr)
     throw InputError(item.where() + ": [case.NAME] expected, with a name of your choice");
@@ -150,34 +80,34 @@ void Reader::read_case(const Item& item) {
   const std::string table = "[case." + path[1] + "]";
   if (item.entry == nullptr || path.size() > 3)
     fail_unknown(item.where(), "table in " + table, path[2], parts);
-  set_key(*item.entry, table,
-          {{"title", to(one.title)},
-           {"scene",
-            [&](const StudyEntry& e) {
-              one.scene = locate(e.text());
-              one.scene_where = e.where();
-            }},
-           {"default", to(one.standard)},
-           {"timed", to(one.is_timed)},
-           {"error",
-            [&](const StudyEntry& e) {
-              one.is_rms = e.one_of({"max", "rms"}) == "rms";
-            }},
-           {"without", to(one.without)}});
+  set_study_key(*item.entry, table,
+                {{"title", to(one.title)},
+                 {"scene",
+                  [&](const StudyEntry& e) {
+                    one.scene = locate(e.text());
+                    one.scene_where = e.where();
+                  }},
+                 {"default", to(one.standard)},
+                 {"timed", to(one.is_timed)},
+                 {"error",
+                  [&](const StudyEntry& e) {
+                    one.is_rms = e.one_of({"max", "rms"}) == "rms";
+                  }},
+                 {"without", to(one.without)}});
 }
 
-void Reader::read_setting(const Item& item, StudySetting& setting, std::size_t depth,
+void Reader::read_setting(const StudyItem& item, StudySetting& setting, std::size_t depth,
                           const std::string& table) {
   if (item.entry == nullptr) return;
-  const Path& path = item.path();
+  const StudyPath& path = item.path();
   if (path.size() > depth + 1 && path[depth] == "set")
     return setting.overrides.push_back(make_scene_override(*item.entry, depth + 1));
-  if (path.size() == depth + 1) return set_key(*item.entry, table, {{"label", to(setting.label)}});
+  if (path.size() == depth + 1) return set_study_key(*item.entry, table, {{"label", to(setting.label)}});
   fail_unknown(item.where(), "table in " + table, path[depth], {"set"});
 }
 
-void Reader::read_axis(const Item& item, StudyCase& one) {
-  const Path& path = item.path();
+void Reader::read_axis(const StudyItem& item, StudyCase& one) {
+  const StudyPath& path = item.path();
   StudyAxis& axis = find_or_add(one.axes, path[3], item.where());
   const std::string table = "[case." + path[1] + ".axis." + path[3] + "]";
   if (path.size() >= 6 && path[4] == "point") {
@@ -191,33 +121,34 @@ void Reader::read_axis(const Item& item, StudyCase& one) {
   if (item.entry == nullptr || path.size() > 5)
     fail_unknown(item.where(), "table in " + table, path[4], {"point"});
   static const std::string kNoKey = "'key' before 'values': the scene key that they are given to";
-  set_key(*item.entry, table,
-          {{"label", to(axis.label)},
-           {"key",
-            [&](const StudyEntry& e) {
-              axis.settings = {{"", "", e.where(), {{e.text(), "", ""}}, {}}};
-            }},
-           {"size",
-            [&](const StudyEntry& e) {
-              axis.is_inverse = e.one_of({"value", "inverse"}) == "inverse";
-            }},
-           {"values", [&](const StudyEntry& e) {
-              if (axis.settings.size() != 1 || !axis.settings[0].name.empty())
-                throw InputError(e.where() + ": " + kNoKey + " expected");
-              const std::string key = axis.settings[0].overrides[0].key;
-              axis.settings.clear();
-              for (const SourceValue& value : e.list()) {
-                const std::string written = write_toml(value);
-                const auto* text = std::get_if<std::string>(&value.value);
-                const std::string name = text != nullptr ? *text : written;
-                StudySetting setting{
-                    name, name, e.where(), {{key, written, e.where() + ": " + key + " = " + written}}, {}};
-                if (const auto* real = std::get_if<double>(&value.value)) setting.size = *real;
-                if (const auto* whole = std::get_if<std::int64_t>(&value.value))
-                  setting.size = static_cast<double>(*whole);
-                axis.settings.push_back(setting);
-              }
-            }}});
+  set_study_key(
+      *item.entry, table,
+      {{"label", to(axis.label)},
+       {"key",
+        [&](const StudyEntry& e) {
+          axis.settings = {{"", "", e.where(), {{e.text(), "", ""}}, {}}};
+        }},
+       {"size",
+        [&](const StudyEntry& e) {
+          axis.is_inverse = e.one_of({"value", "inverse"}) == "inverse";
+        }},
+       {"values", [&](const StudyEntry& e) {
+          if (axis.settings.size() != 1 || !axis.settings[0].name.empty())
+            throw InputError(e.where() + ": " + kNoKey + " expected");
+          const std::string key = axis.settings[0].overrides[0].key;
+          axis.settings.clear();
+          for (const SourceValue& value : e.list()) {
+            const std::string written = write_toml(value);
+            const auto* text = std::get_if<std::string>(&value.value);
+            const std::string name = text != nullptr ? *text : written;
+            StudySetting setting{
+                name, name, e.where(), {{key, written, e.where() + ": " + key + " = " + written}}, {}};
+            if (const auto* real = std::get_if<double>(&value.value)) setting.size = *real;
+            if (const auto* whole = std::get_if<std::int64_t>(&value.value))
+              setting.size = static_cast<double>(*whole);
+            axis.settings.push_back(setting);
+          }
+        }}});
 }
 
 void Reader::read_quantity(const SourceEntry& entry, StudyQuantity& quantity) {
@@ -225,23 +156,23 @@ void Reader::read_quantity(const SourceEntry& entry, StudyQuantity& quantity) {
       {"formula", StudyQuantity::Reference::kFormula},
       {"table", StudyQuantity::Reference::kTable},
       {"finest", StudyQuantity::Reference::kFinest}};
-  set_key(entry, "[case.NAME.quantity." + quantity.name + "]",
-          {{"label", to(quantity.label)},
-           {"column", to(quantity.column)},
-           {"driver", to(quantity.driver)},
-           {"at", to(quantity.at)},
-           {"reference",
-            [&](const StudyEntry& e) {
-              quantity.reference = kinds.at(e.one_of({"formula", "table", "finest"}));
-            }},
-           {"formula", [&](const StudyEntry& e) { quantity.formula = e.one_of(closed_form_names()); }},
-           {"values", to(quantity.values)},
-           {"source", to(quantity.source)},
-           {"scale", [&](const StudyEntry& e) { quantity.scale = e.number(1e-300, 1e300); }}});
+  set_study_key(entry, "[case.NAME.quantity." + quantity.name + "]",
+                {{"label", to(quantity.label)},
+                 {"column", to(quantity.column)},
+                 {"driver", to(quantity.driver)},
+                 {"at", to(quantity.at)},
+                 {"reference",
+                  [&](const StudyEntry& e) {
+                    quantity.reference = kinds.at(e.one_of({"formula", "table", "finest"}));
+                  }},
+                 {"formula", [&](const StudyEntry& e) { quantity.formula = e.one_of(closed_form_names()); }},
+                 {"values", to(quantity.values)},
+                 {"source", to(quantity.source)},
+                 {"scale", [&](const StudyEntry& e) { quantity.scale = e.number(1e-300, 1e300); }}});
 }
 
-void Reader::read_case_part(const Item& item, StudyCase& one) {
-  const Path& path = item.path();
+void Reader::read_case_part(const StudyItem& item, StudyCase& one) {
+  const StudyPath& path = item.path();
   const std::string &part = path[2],
                     table = "[case." + path[1] + "." + part + (path.size() > 3 ? "." + path[3] : "") + "]";
   if (part == "set") {
@@ -262,8 +193,8 @@ void Reader::read_case_part(const Item& item, StudyCase& one) {
     return read_setting(item, find_or_add(one.variants, path[3], item.where()), 4, table);
   if (path.size() > 5 || (path.size() == 5 && item.entry == nullptr))
     fail_unknown(item.where(), "table in " + table, path[4], {});
-  const auto set = [&](const Setters& setters) {
-    if (item.entry != nullptr) set_key(*item.entry, table, setters);
+  const auto set = [&](const KeySetters& setters) {
+    if (item.entry != nullptr) set_study_key(*item.entry, table, setters);
   };
   if (part == "quantity") {
     StudyQuantity& quantity = find_or_add(one.quantities, path[3], item.where());
@@ -296,16 +227,16 @@ void Reader::read_case_part(const Item& item, StudyCase& one) {
 }
 
 void Reader::read_plot(const SourceEntry& entry, StudyPlot& plot) {
-  set_key(entry, "[plot." + plot.name + "]",
-          {{"title", to(plot.title)},
-           {"file", [&](const StudyEntry& e) { plot.file = locate(e.text()); }},
-           {"x", to(plot.x)},
-           {"y", to(plot.y)},
-           {"x_title", to(plot.x_title)},
-           {"y_title", to(plot.y_title)},
-           {"x_log", to(plot.is_x_log)},
-           {"y_log", to(plot.is_y_log)},
-           {"slope", to(plot.slope)}});
+  set_study_key(entry, "[plot." + plot.name + "]",
+                {{"title", to(plot.title)},
+                 {"file", [&](const StudyEntry& e) { plot.file = locate(e.text()); }},
+                 {"x", to(plot.x)},
+                 {"y", to(plot.y)},
+                 {"x_title", to(plot.x_title)},
+                 {"y_title", to(plot.y_title)},
+                 {"x_log", to(plot.is_x_log)},
+                 {"y_log", to(plot.is_y_log)},
+                 {"slope", to(plot.slope)}});
 }
 
 }  // namespace

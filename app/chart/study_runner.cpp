@@ -92,12 +92,12 @@ std::vector<CaseResult> read_study_results(const Study& study, const StudyOption
     for (const StudyRun& run : make_study_runs(one)) {
       const StudyJob job = make_job(study, one, run, 0, options, hash);
       auto end = read_run_end(record_file(job));
-      if (end && end->key != job.key) end.reset();  // of other settings: not this run's
+      if (end && end->key != job.key && !options.takes_any) end.reset();  // of other settings: not this run's
       RunResult read = read_run_result(one, run, job.folder, end);
       for (int repeat = 1; repeat <= study.repeats && one.is_timed && !run.is_finest; ++repeat) {
         const StudyJob timed = make_job(study, one, run, repeat, options, hash);
         const auto timed_end = read_run_end(record_file(timed));
-        if (!timed_end || timed_end->key != timed.key) continue;
+        if (!timed_end || (timed_end->key != timed.key && !options.takes_any)) continue;
         const double wall = read_solving_time(timed.folder);
         if (wall > 0.0) read.walls.push_back(wall);
       }
@@ -132,8 +132,10 @@ void write_study(const Study& study, const std::vector<CaseResult>& results, con
   }
   std::vector<std::string> plots;
   for (const StudyPlot& plot : study.plots) plots.push_back(write_chart(make_plot_chart(plot)));
-  const ReportFacts facts{find_machine(), HYDROSCOPE_VERSION, calc_file_hash(options.program),
-                          find_revision(study.file, options.output), painter.renderer()};
+  const ReportFacts facts{
+      find_machine(), HYDROSCOPE_VERSION,
+      calc_file_hash(options.program) + (options.takes_any ? "; drawn again, runs as they were found" : ""),
+      find_revision(study.file, options.output), painter.renderer()};
   write_whole_file(options.output / "report.md", make_study_report(study, cases, plots, facts));
   write_whole_file(options.output / "study.toml", read_whole_file(study.file));
 }

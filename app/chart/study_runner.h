@@ -18,6 +18,7 @@ struct StudyOptions {
   int jobs = 1;
   std::array<int, 2> size{1600, 1000};  ///< [px] of a picture
   std::string theme = "light";
+  bool takes_any = false;  ///< takes the runs that are there, whatever program and scene made them
 };
 
 /// Runs what a study asks for and has not been done: first all accuracy runs, then the timed ones alone.

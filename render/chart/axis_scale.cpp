@@ -33,7 +33,9 @@ std::string make_superscript(int number) {
 /// 0.05, 300, or 10⁻⁷ where zeros would have to be counted.
 std::string format_decade(int factor, int power, bool in_powers) {
   if (in_powers) return (factor == 1 ? "" : std::to_string(factor) + "·") + "10" + make_superscript(power);
-  return format_number(factor * std::pow(10.0, power));
+  std::array<char, 40> text{};
+  std::snprintf(text.data(), text.size(), "%.10g", factor * std::pow(10.0, power));
+  return text.data();
 }
 
 }  // namespace

@@ -98,7 +98,8 @@ void draw_inside_legend(Canvas& canvas, const ChartLayout& layout, const PlotAre
     }
   canvas.fill(best.left, best.top, best.width, best.height, area.ground, 0.85);
   canvas.frame(best.left, best.top, best.width, best.height, area.grid);
-  draw_chart_entries(canvas, layout, best.left + pad, best.top + pad, colours);
+  draw_chart_entries(canvas, layout, best.left + pad, best.top + pad,
+                     best.top + best.height + layout.text * 2, colours);
 }
 
 }  // namespace hydroscope

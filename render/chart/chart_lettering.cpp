@@ -139,10 +139,13 @@ std::array<int, 2> calc_entries_size(const ChartLayout& layout) {
   return {width, height};
 }
 
-void draw_chart_entries(Canvas& canvas, const ChartLayout& layout, int left, int top, const Theme& theme) {
+void draw_chart_entries(Canvas& canvas, const ChartLayout& layout, int left, int top, int bottom,
+                        const Theme& theme) {
   for (const ChartEntry& entry : layout.entries) {
     const auto style = entry_style(layout, entry, entry.has_sample ? theme.text : theme.faint_text);
     const int before = entry.has_sample ? sample_width(layout) : 0;
+    if (top + 3 * style.size > bottom && &entry != &layout.entries.back())
+      return canvas.text(left + before, top, "…", style);
     const double middle = top + 0.48 * style.size, room = before - 0.5 * style.size;
     if (entry.has_sample) {
       draw_styled_line(canvas, left, middle, left + room, middle, entry.line_width, entry.line, entry.colour);

@@ -40,7 +40,9 @@ ChartLayout make_chart_layout(const LineChart& chart, const std::array<int, 2>& 
 /// Titles, ticks and their labels.
 void draw_chart_frame(Canvas& canvas, Image& image, const LineChart& chart, const ChartLayout& layout,
                       const AxisScale& x, const AxisScale& y, const Theme& theme, Rgb ground);
-void draw_chart_entries(Canvas& canvas, const ChartLayout& layout, int left, int top, const Theme& theme);
+/// Those that do not fit above `bottom` are left out, with dots in their place.
+void draw_chart_entries(Canvas& canvas, const ChartLayout& layout, int left, int top, int bottom,
+                        const Theme& theme);
 /// Width and height that the entries take [px].
 std::array<int, 2> calc_entries_size(const ChartLayout& layout);
 

@@ -241,8 +241,9 @@ void LineChartPainter::Impl::draw_labels(Canvas& canvas, const std::vector<Pendi
 Image LineChartPainter::Impl::draw(const LineChart& chart) {
   const AxisScale x(chart.x, collect(chart, true)), y(chart.y, collect(chart, false));
   const std::vector<ScaledSeries> all = find_colours(chart);
-  const ChartLayout layout = make_chart_layout(chart, options.size, options.text_scale,
-                                               make_entries(chart, all), y.find_ticks(std::max(options.size[1] / 90, 5)));
+  const ChartLayout layout =
+      make_chart_layout(chart, options.size, options.text_scale, make_entries(chart, all),
+                        y.find_ticks(std::max(options.size[1] / 90, 5)));
   const PlotArea area = make_area(chart, all, layout, x, y);
   Image image = painter.draw(area);
   Canvas canvas(image);
@@ -254,7 +255,8 @@ Image LineChartPainter::Impl::draw(const LineChart& chart) {
   if (!layout.entries.empty() && chart.legend == LineChart::Legend::kInside)
     draw_inside_legend(canvas, layout, area, colours);
   if (!layout.entries.empty() && chart.legend == LineChart::Legend::kRight)
-    draw_chart_entries(canvas, layout, layout.side_left, layout.plot.top, colours);
+    draw_chart_entries(canvas, layout, layout.side_left, layout.plot.top, image.height - layout.text / 2,
+                       colours);
   return image;
 }
 

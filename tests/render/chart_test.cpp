@@ -32,6 +32,8 @@ TEST(AxisScale, DecadesOfALogarithmicAxisAreLabelled) {
   const AxisScale scale({.scale = ChartScale::kLog, .low = 1e-3, .high = 10.0}, {});
   EXPECT_EQ(find_labels(scale, 8), (std::vector<std::string>{"0.001", "0.01", "0.1", "1", "10"}));
   EXPECT_DOUBLE_EQ(scale.to_unit(0.1), 0.5);
+  const AxisScale large({.scale = ChartScale::kLog, .low = 900.0, .high = 3e4}, {});
+  EXPECT_EQ(find_labels(large, 8), (std::vector<std::string>{"1000", "2000", "5000", "10000", "20000"}));
   const AxisScale small({.scale = ChartScale::kLog, .low = 1e-9, .high = 1e-6}, {});
   EXPECT_EQ(find_labels(small, 8), (std::vector<std::string>{"10⁻⁹", "10⁻⁸", "10⁻⁷", "10⁻⁶"}));
 }
