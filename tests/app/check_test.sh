@@ -31,7 +31,7 @@ absent() { [ ! -e "$1" ] || fail "$1 should not be there"; }
 
 # As approved: by the folder of the run or of its states, on any number of threads.
 expect 0 "as the baseline" $check
-grep -q 'tests="16" failures="0"' "$work/report/junit.xml" || fail "junit.xml of an accepted sequence"
+grep -q 'tests="21" failures="0"' "$work/report/junit.xml" || fail "junit.xml of an accepted sequence"
 absent "$work/report/index.html"
 expect 0 "renderer: llvmpipe" $check --threads 1
 expect 0 "as the baseline" $check --threads 4

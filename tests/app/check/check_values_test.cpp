@@ -45,6 +45,22 @@ TEST(SidecarComparison, WordsAndCountsAreExact) {
   EXPECT_THAT(compare_after("\"frame\": 3", "\"frame\": 3.0000001"), Not(IsEmpty()));
 }
 
+TEST(SidecarComparison, CountsOfDetachmentAreExactHoweverLarge) {
+  const auto compare = [](const char* expected, const char* got) {
+    const auto make = [](const char* rest) {
+      return Json::parse(std::string("{\"detachment\": {") + rest + "}}");
+    };
+    return compare_sidecars(make(expected), make(got));
+  };
+  EXPECT_THAT(compare("\"toggles\": 2000000", "\"toggles\": 2000001"),
+              ElementsAre("detachment.toggles: 2000001 instead of 2000000"));
+  EXPECT_THAT(compare("\"nodes_by_toggles\": [9000000, 1]", "\"nodes_by_toggles\": [9000001, 1]"),
+              Not(IsEmpty()));
+  EXPECT_THAT(compare("\"near_release\": 3", "\"near_release\": 4"), Not(IsEmpty()));
+  EXPECT_THAT(compare("\"least_margin\": 0.5", "\"least_margin\": 0.5000001"), IsEmpty());
+  EXPECT_THAT(compare("\"least_margin\": 0.5", "\"least_margin\": 0.50001"), Not(IsEmpty()));
+}
+
 TEST(SidecarComparison, QuantitiesMayDifferByAMillionth) {
   EXPECT_THAT(compare_after("20.0", "20.00001"), IsEmpty());
   EXPECT_THAT(compare_after("20.0", "20.00003"), ElementsAre(HasSubstr("pressure_MPa")));
