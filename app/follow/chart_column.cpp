@@ -24,8 +24,17 @@ ChartColumn::ChartColumn(const Ledger& ledger, const std::vector<NodeStory>& sto
           options.size[0], options.size[1],
           options.theme == "dark" ? hydroscope::theme("dark").background_top : Rgb{255, 255, 255})),
       head_(options.size[1] / 14) {
-  const std::vector<LineChart> charts = make_patch_charts(ledger, stories, theme_);
+  std::vector<LineChart> charts = make_patch_charts(ledger, stories, theme_);
   LineChartOptions each = options;
+  // Charts as flat as these have the least letters and lines there are; from here on these grow with the
+  // frame.
+  const double growth = std::min(options.size[1] / 720.0, 1.5);
+  each.text_scale *= growth;
+  for (LineChart& chart : charts)
+    for (ChartSeries& series : chart.series) {
+      series.line_width *= growth;
+      series.marker_size *= std::max(growth, 0.75);
+    }
   each.size[1] = (options.size[1] - head_) / static_cast<int>(charts.size());
   // Numbers of more digits need more room at the left: all charts begin where that one does.
   std::vector<int> lefts;
