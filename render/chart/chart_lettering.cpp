@@ -147,7 +147,7 @@ void draw_chart_entries(Canvas& canvas, const ChartLayout& layout, int left, int
     if (top + 3 * style.size > bottom && &entry != &layout.entries.back())
       return canvas.text(left + before, top, "…", style);
     const double middle = top + 0.48 * style.size, room = before - 0.5 * style.size;
-    if (entry.has_sample) {
+    if (entry.has_sample && !entry.is_continued) {
       draw_styled_line(canvas, left, middle, left + room, middle, entry.line_width, entry.line, entry.colour);
       draw_sample_marker(canvas, left + 0.5 * room, middle, entry.marker, entry.marker_size, entry.colour);
     }

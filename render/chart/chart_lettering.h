@@ -13,13 +13,14 @@ namespace hydroscope {
 
 /// A line of the legend or of the key beside a plot.
 struct ChartEntry {
-  std::string text;
+  std::string text{};
   Rgb colour{};
   double line_width = 0.0;  ///< 0: no line
   ChartLine line = ChartLine::kNone;
   ChartMarker marker = ChartMarker::kNone;
   double marker_size = 0.0;
-  bool has_sample = true;  ///< false: words alone, and smaller
+  bool has_sample = true;     ///< false: words alone, and smaller
+  bool is_continued = false;  ///< a further line of the words above
 };
 
 /// All that is not data: where things stand, and how large letters are.

@@ -84,6 +84,7 @@ struct LineChartPainter::Impl {
 
   Image draw(const LineChart& chart);
   std::vector<ScaledSeries> find_colours(const LineChart& chart) const;
+  void add_entry(std::vector<ChartEntry>& entries, const ChartSeries& series, Rgb colour) const;
   std::vector<ChartEntry> make_entries(const LineChart& chart, const std::vector<ScaledSeries>& all) const;
   PlotArea make_area(const LineChart& chart, const std::vector<ScaledSeries>& all, const ChartLayout& layout,
                      const AxisScale& x, const AxisScale& y) const;
@@ -117,18 +118,28 @@ std::vector<ScaledSeries> LineChartPainter::Impl::find_colours(const LineChart& 
   return all;
 }
 
+/// A name that is too long for the column goes on below.
+void LineChartPainter::Impl::add_entry(std::vector<ChartEntry>& entries, const ChartSeries& series,
+                                       Rgb colour) const {
+  if (series.name.empty()) return;
+  const Canvas::TextStyle style{.size = static_cast<int>(std::lround(22.0 * unit() * options.text_scale))};
+  ChartEntry entry{.colour = colour,
+                   .line_width = thickness(series.line_width),
+                   .line = series.line,
+                   .marker = series.marker,
+                   .marker_size = series.marker_size * unit()};
+  for (const std::string& line : wrap_text(series.name, options.size[0] * 24 / 100, style)) {
+    entry.text = line;
+    entries.push_back(entry);
+    entry.is_continued = true;
+  }
+}
+
 std::vector<ChartEntry> LineChartPainter::Impl::make_entries(const LineChart& chart,
                                                              const std::vector<ScaledSeries>& all) const {
   std::vector<ChartEntry> entries;
   if (chart.legend == LineChart::Legend::kNone) return entries;
-  for (const auto& [series, colour] : all)
-    if (!series->name.empty())
-      entries.push_back({.text = series->name,
-                         .colour = colour,
-                         .line_width = thickness(series->line_width),
-                         .line = series->line,
-                         .marker = series->marker,
-                         .marker_size = series->marker_size * unit()});
+  for (const auto& [series, colour] : all) add_entry(entries, *series, colour);
   const Canvas::TextStyle style{.size = static_cast<int>(std::lround(20.0 * unit() * options.text_scale))};
   for (const std::string& note : chart.notes)
     for (const std::string& line : wrap_text(note, options.size[0] * 27 / 100, style))
@@ -144,7 +155,7 @@ PlotArea LineChartPainter::Impl::make_area(const LineChart& chart, const std::ve
   area.ground = ground;
   area.axis = colours.text;
   area.grid = mix_colours(ground, colours.faint_text, 0.22);
-  area.axis_width = 2.0 * unit();
+  area.axis_width = thickness(2.0);
   for (const AxisTick& tick : x.find_ticks(layout.plot.width / (layout.text * 5)))
     if (!tick.label.empty()) area.ticks[0].push_back(x.to_unit(tick.value));
   for (const AxisTick& tick : y.find_ticks(layout.plot.height / (layout.text * 3)))

@@ -162,6 +162,8 @@ Image PlotAreaPainter::draw(const PlotArea& area) {
   chart->SetTitle("");
   set_axis(*chart->GetAxis(vtkAxis::BOTTOM), area.ticks[0], area);
   set_axis(*chart->GetAxis(vtkAxis::LEFT), area.ticks[1], area);
+  // VTK draws no axes round a chart without lines: one that lies on the axis.
+  add_line(*chart, {{{0.0, 0.0}, {1.0, 0.0}}, area.axis, area.axis_width, ChartLine::kSolid});
   for (const PlotArea::Line& line : area.lines) add_line(*chart, line);
   const vtkNew<MarkerItem> markers;
   markers->markers = area.markers;

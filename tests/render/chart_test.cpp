@@ -193,7 +193,21 @@ TEST_F(LineChartPicture, SeriesOfUnequalLengthAreRefused) {
   EXPECT_THROW(painter.draw(chart), ContractError);
 }
 
-TEST_F(LineChartPicture, AnEmptyChartIsDrawn) { EXPECT_NO_THROW(painter.draw({})); }
+TEST_F(LineChartPicture, AChartWithoutLinesHasItsAxesAndGrid) {
+  LineChart chart;
+  chart.x = {.low = 0.0, .high = 4.0};
+  chart.y = {.low = 0.0, .high = 2.0};
+  const Image image = painter.draw(chart);
+  const PixelBox& plot = painter.place().plot;
+  int dark = 0, grey = 0;
+  for (int y = plot.top; y < plot.top + plot.height; ++y) {
+    const auto is_dark = [&](int x) { return image.pixel(x, y)[0] < 150; };
+    dark += is_dark(plot.left - 1) || is_dark(plot.left) ? 1 : 0;
+    grey += image.pixel(plot.left + plot.width * 3 / 16, y)[0] < 240 ? 1 : 0;
+  }
+  EXPECT_GT(dark, plot.height * 9 / 10);
+  EXPECT_GE(grey, 3);
+}
 
 }  // namespace
 }  // namespace hydroscope
