@@ -61,15 +61,17 @@ ChartColumn::ChartColumn(const Ledger& ledger, const std::vector<NodeStory>& sto
 
 void ChartColumn::draw_head(const std::vector<NodeStory>& stories) {
   Canvas canvas(curves_);
-  const Theme& colours = theme(theme_);
-  int x = places_.front().plot.left;
-  const int square = head_ / 3, top = head_ / 6;
-  const Canvas::TextStyle style{.size = std::max(9, 3 * head_ / 10), .colour = colours.text};
+  const Canvas::TextStyle style{.size = std::max(9, 3 * head_ / 10), .colour = theme(theme_).text};
+  const int left = places_.front().plot.left, square = head_ / 4, top = head_ / 10;
+  int x = left;
+  // Many nodes have no room for the word.
+  const int room = (curves_.width - left) / static_cast<int>(std::max<std::size_t>(stories.size(), 1));
+  const bool is_short = 3 * square + Canvas::text_size("node 123456", style)[0] > room;
   for (std::size_t k = 0; k < stories.size(); ++k) {
-    const std::string name = "node " + std::to_string(stories[k].node);
+    const std::string name = (is_short ? "" : "node ") + std::to_string(stories[k].node);
     canvas.fill(x, top + square / 4, square, square, find_node_colour(k, theme_));
     canvas.text(x + 3 * square / 2, top, name, style);
-    x += 3 * square + Canvas::text_size(name, style)[0];
+    x += (is_short ? 2 : 3) * square + Canvas::text_size(name, style)[0];
   }
 }
 
@@ -91,8 +93,8 @@ Image ChartColumn::draw(const ChartMoments& moments) const {
     line(place, moments.now, theme_ == "dark" ? Rgb{230, 234, 240} : kTimeLine, 1);
   }
   const Canvas::TextStyle style{
-      .size = std::max(9, 3 * head_ / 10), .colour = kReleaseLine, .align = Canvas::Align::kRight};
-  canvas.text(picture.width - head_ / 4, head_ / 4, "let go from " + format_figure(moments.let_go) + " s",
+      .size = std::max(9, head_ / 4), .colour = kReleaseLine, .align = Canvas::Align::kRight};
+  canvas.text(picture.width - head_ / 4, head_ / 2, "let go from " + format_figure(moments.let_go) + " s",
               style);
   return picture;
 }

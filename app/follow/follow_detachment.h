@@ -22,7 +22,7 @@ struct FollowOptions {
 };
 
 constexpr int kMostPatches = 20;
-constexpr int kMostNodes = 8;  ///< colours of the charts
+constexpr int kMostNodes = 7;  ///< colours of the charts without that of the release line
 
 /// What has been drawn of one patch.
 struct FollowedPatch {
