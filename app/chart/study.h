@@ -106,6 +106,7 @@ struct Study {
   int threads = 1;                    ///< of timed runs
   double time_limit = 600.0;          ///< [s] of one run
   double finest_time_limit = 3600.0;  ///< [s] of a finest run
+  double timed_once_from = 60.0;      ///< [s] of solving from which a run is timed once only
   std::vector<StudyCase> cases;
   std::vector<StudyPlot> plots;
 };

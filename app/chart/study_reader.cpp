@@ -58,13 +58,15 @@ void Reader::read_item(const StudyItem& item) {
   if (item.entry == nullptr) return;
   if (path[0] == "plot")
     throw InputError(item.where() + ": [plot.NAME] expected, with a name of your choice");
-  set_study_key(*item.entry, "[run]",
-                {{"jobs", [this](const StudyEntry& e) { study_.jobs = e.whole_number(0, 256); }},
-                 {"repeats", [this](const StudyEntry& e) { study_.repeats = e.whole_number(1, 99); }},
-                 {"threads", [this](const StudyEntry& e) { study_.threads = e.whole_number(1, 64); }},
-                 {"finest_time_limit_s",
-                  [this](const StudyEntry& e) { study_.finest_time_limit = e.number(0.01, 1e6); }},
-                 {"time_limit_s", [this](const StudyEntry& e) { study_.time_limit = e.number(0.01, 1e6); }}});
+  set_study_key(
+      *item.entry, "[run]",
+      {{"jobs", [this](const StudyEntry& e) { study_.jobs = e.whole_number(0, 256); }},
+       {"repeats", [this](const StudyEntry& e) { study_.repeats = e.whole_number(1, 99); }},
+       {"threads", [this](const StudyEntry& e) { study_.threads = e.whole_number(1, 64); }},
+       {"finest_time_limit_s",
+        [this](const StudyEntry& e) { study_.finest_time_limit = e.number(0.01, 1e6); }},
+       {"timed_once_from_s", [this](const StudyEntry& e) { study_.timed_once_from = e.number(0.0, 1e6); }},
+       {"time_limit_s", [this](const StudyEntry& e) { study_.time_limit = e.number(0.01, 1e6); }}});
 }
 
 void Reader::read_case(const StudyItem& item) {

@@ -192,7 +192,8 @@ std::string make_study_report(const Study& study, const std::vector<ReportedCase
   if (!facts.revision.empty()) text += "| sources beside the study | " + cell(facts.revision) + " |\n";
   if (!facts.renderer.empty()) text += "| pictures | " + cell(facts.renderer) + " |\n";
   text += "| wall times | of solving (search, assembly, factorisation, solution, update), medians of " +
-          std::to_string(study.repeats) + " interleaved repeats, each run alone with " +
+          std::to_string(study.repeats) + " interleaved repeats (from " +
+          format_number(study.timed_once_from) + " s on: one), each run alone with " +
           std::to_string(study.threads) + (study.threads == 1 ? " thread |\n" : " threads |\n");
   for (const ReportedCase& one : cases) text += make_case_section(one);
   if (!plots.empty()) text += "\n## Tables\n";

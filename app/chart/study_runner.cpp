@@ -36,14 +36,15 @@ std::vector<StudyJob> make_accuracy_jobs(const Study& study, const StudyOptions&
   return jobs;
 }
 
-/// Interleaved: all runs of a case once, then again. What failed is not timed.
+/// Interleaved: all runs of a case once, then again. What failed is not timed, what takes long once.
 std::vector<StudyJob> make_timed_jobs(const Study& study, const std::vector<CaseResult>& results,
                                       const StudyOptions& options, const std::string& hash) {
   std::vector<StudyJob> jobs;
   for (const CaseResult& result : results)
     for (int repeat = 1; repeat <= study.repeats && result.one->is_timed; ++repeat)
       for (const RunResult& run : result.runs)
-        if (!run.is_failed()) jobs.push_back(make_job(study, *result.one, run.run, repeat, options, hash));
+        if (!run.is_failed() && (repeat == 1 || run.own_wall < study.timed_once_from))
+          jobs.push_back(make_job(study, *result.one, run.run, repeat, options, hash));
   return jobs;
 }
 
