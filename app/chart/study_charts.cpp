@@ -54,7 +54,7 @@ std::vector<const RunResult*> choose_runs(const CaseResult& result, const std::v
 
 std::string format_slope(double slope) {
   std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.2f", slope);
+  std::snprintf(text.data(), text.size(), "%.2f", std::abs(slope) < 0.005 ? 0.0 : slope);
   return text.data();
 }
 
@@ -119,8 +119,8 @@ StudyChart make_convergence_chart(const CaseResult& result, const StudyConvergen
   const auto axis = static_cast<std::size_t>(found - one.axes.begin());
   LineChart chart;
   chart.title = convergence.title.empty() ? one.title : convergence.title;
-  chart.x = {.title = found->is_inverse ? "1 / " + found->label + " [-]" : found->label,
-             .scale = ChartScale::kLog};
+  const std::string unit = found->label.find('[') == std::string::npos ? " [-]" : "";
+  chart.x = {.title = (found->is_inverse ? "1 / " : "") + found->label + unit, .scale = ChartScale::kLog};
   chart.y = {.title = "error [%]", .scale = ChartScale::kLog};
   std::map<std::string, std::size_t> places;
   std::vector<ChartSeries> lines;

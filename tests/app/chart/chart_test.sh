@@ -107,6 +107,24 @@ expect 0 "accuracy: 3 runs, 2 of them done before" "$program" chart "$work/study
 sed -i 's/swift_n = 0.2/swift_n = 0.21/' "$work/blow.toml"
 expect 0 "accuracy: 3 runs, 0 of them done before" "$program" chart "$work/study.toml" -o "$out" --no-timing
 
+# A run of a hundred thousand increments meets its time limit: a point, and done until the limit is longer.
+cat >"$work/late.toml" <<'STUDY'
+[run]
+time_limit_s = 0.3
+[case.late]
+scene = "blow.toml"
+timed = false
+set.increment.largest = 1e-5
+[case.late.quantity.r_mm]
+reference = "formula"
+formula = "expansion-ring-pressure"
+STUDY
+expect 0 "late: 1 runs, 1 failed" "$program" chart "$work/late.toml" -o "$work/late"
+grep -qF 'time limit 0.3 s at ' "$work/late/report.md" || fail "no time limit in the report"
+expect 0 "1 of them done before" "$program" chart "$work/late.toml" -o "$work/late"
+sed -i 's/time_limit_s = 0.3/time_limit_s = 0.4/' "$work/late.toml"
+expect 0 "0 of them done before" "$program" chart "$work/late.toml" -o "$work/late"
+
 # Interrupted, it says so and goes on later; a run under way leaves no record.
 sed -i 's/swift_n = 0.21/swift_n = 0.2/; s/elements_around = 4/elements_around = 400/' "$work/blow.toml"
 "$program" chart "$work/study.toml" -o "$work/long" >"$work/out" 2>"$work/err" &
