@@ -214,7 +214,7 @@ CommandSyntax make_chart() {
       "charts, with its cause. DIR gets report.md, a PNG and a CSV for each chart, and tables of all "
       "values.\n"
       "\nexamples:\n  hydroscope chart scenes/studies/methods.toml -o results/methods\n"
-      "  hydroscope chart scenes/studies/methods.toml -o results/methods --only square-die-thin --repeats 1\n"
+      "  hydroscope chart scenes/studies/methods.toml -o results/methods --only mesh,capstan\n"
       "\nAll keys of a study: docs/charts.md\n";
   return chart;
 }

@@ -134,6 +134,27 @@ void check_plot(StudyPlot& plot) {
   label(plot.x_title, plot.x);
 }
 
+/// A column of history.csv that is a quantity must be one of the scene's.
+void check_column(const std::string& column, const std::string& where, const Scene& scene) {
+  if (column.rfind("q.", 0) != 0) return;
+  std::vector<std::string> known;
+  for (const auto& [name, quantity] : scene.quantities) known.push_back("q." + name);
+  if (std::find(known.begin(), known.end(), column) == known.end())
+    fail_unknown(where, "quantity of " + scene.file, column, known);
+}
+
+void check_columns(const StudyCase& one, const Scene& scene) {
+  for (const StudyQuantity& quantity : one.quantities) {
+    check_column(quantity.column, quantity.where, scene);
+    check_column(quantity.driver, quantity.where, scene);
+  }
+  for (const StudyHistory& history : one.histories) {
+    check_column(history.x, history.where, scene);
+    for (const std::string& column : history.columns) check_column(column, history.where, scene);
+  }
+  for (const StudyProfile& profile : one.profiles) check_column(profile.driver, profile.where, scene);
+}
+
 }  // namespace
 
 void check_study(Study& study) {
@@ -155,7 +176,11 @@ void check_study_scenes(const Study& study) {
         throw InputError(one.where + ": [case." + one.name + "], run '" + run.id + "': " + error.what());
       }
     }
+    check_columns(one, read_scene(one.scene, make_study_runs(one).front().overrides));
   }
+  for (const StudyPlot& plot : study.plots)
+    need(std::filesystem::exists(plot.file), plot.where,
+         "[plot." + plot.name + "]: key 'file': there is no file " + plot.file);
 }
 
 }  // namespace hydroscope

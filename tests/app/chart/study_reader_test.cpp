@@ -127,6 +127,27 @@ TEST(StudyReader, AWrongSceneKeyIsToldBeforeAnythingRuns) {
   }
 }
 
+TEST(StudyReader, AQuantityThatTheSceneDoesNotHaveIsTold) {
+  const TemporaryFolder folder;
+  std::ofstream(folder / "small.toml") << make_small_scene();
+  std::string text = make_small_study();
+  text.replace(text.find("q.r_mm"), 6, "q.x_mm");
+  std::ofstream(folder / "study.toml") << text;
+  try {
+    read_study(folder / "study.toml");
+    FAIL() << "accepted";
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(),
+                AllOf(HasSubstr("study.toml:15"), HasSubstr("'q.x_mm'"), HasSubstr("q.r_mm, q.t_mm")));
+  }
+}
+
+TEST(StudyReader, AMissingTableIsTold) {
+  const TemporaryFolder folder;
+  std::ofstream(folder / "study.toml") << "[plot.p]\nfile = \"missing.csv\"\nx = \"a\"\ny = \"b\"\n";
+  EXPECT_THROW(read_study(folder / "study.toml"), InputError);
+}
+
 TEST(StudyReader, AMissingSceneIsTold) {
   const TemporaryFolder folder;
   std::ofstream(folder / "study.toml") << "[case.a]\nscene = \"missing.toml\"\n";
