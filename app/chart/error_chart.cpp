@@ -8,6 +8,7 @@
 namespace hydroscope {
 namespace {
 
+constexpr Rgb kBeside{85, 85, 85};     ///< runs beside the grid, whose colours mean something
 constexpr double kLeastError = 1e-5;   ///< [%]: less is not told apart on the chart
 constexpr std::size_t kMostNamed = 4;  ///< failed runs are numbered when there are more
 
@@ -60,7 +61,7 @@ void add_points(LineChart& chart, const CaseResult& result, CostKind kind, const
     ChartSeries point{.x = {find_cost(run, kind)},
                       .y = {std::max(run.error_percent, kLeastError)},
                       .labels = {run.run.label},
-                      .colour = find_colour(shade),
+                      .colour = is_variant && !axes.empty() ? kBeside : find_colour(shade),
                       .line = ChartLine::kNone};
     point.marker = markers()[static_cast<std::size_t>(std::max(shape, 0)) % markers().size()];
     point.marker_size = 15.0;
