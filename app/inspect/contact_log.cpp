@@ -65,7 +65,7 @@ const IncrementRow& ContactLog::row(int increment) const {
 }
 
 const std::vector<std::string>& event_kind_names() {
-  static const std::vector<std::string> kNames = {"touch", "stick", "slip", "detach", "retouch"};
+  static const std::vector<std::string> kNames = {"touch", "stick", "slip", "detach", "retouch", "taken-back"};
   return kNames;
 }
 
@@ -76,7 +76,7 @@ EventKind parse_event_kind(const std::string& text, const std::string& place) {
   const std::string nearest = find_nearest_name(text, names);
   throw InputError(place + "'" + text + "' is no kind of event" +
                    (nearest.empty() ? "" : "; did you mean '" + nearest + "'?") +
-                   " (touch, stick, slip, detach, retouch)");
+                   " (touch, stick, slip, detach, retouch, taken-back)");
 }
 
 ContactLog make_contact_log(const CsvTable& events, const CsvTable& history, const LogBounds& bounds) {

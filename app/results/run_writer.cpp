@@ -38,20 +38,22 @@ class Row {
 std::string make_history_head(const std::vector<std::string>& quantity_names) {
   std::string head =
       "increment,time_s,pressure_MPa,feed_mm,step_fraction,limited_by,limited_at,"
-      "n_contact,n_stick,n_slip,n_detached,residual,thickness_min_mm,thickness_max_mm";
+      "n_contact,n_stick,n_slip,n_detached,residual,tangential_rest,iterations,factorisations,thickness_min_mm,thickness_max_mm";
   for (const std::string& name : quantity_names) head += ",q." + name;
   return head + "\n";
 }
 
 constexpr const char* kEventsHead =
-    "increment,time_s,kind,node,x_mm,y_mm,z_mm,tool,cause,force_before_N,force_after_N,gap_mm\n";
+    "increment,time_s,kind,node,x_mm,y_mm,z_mm,tool,cause,force_before_N,force_after_N,gap_mm,"
+    "patch_pressure_MPa,threshold_N\n";
 
 std::string make_history_row(const IncrementReport& r) {
   Row row;
   row.add(r.increment).add(r.time).add(r.pressure).add(r.feed).add(r.step_fraction);
   row.add_quoted(to_string(r.limited_by)).add(r.limited_at);
   row.add(r.n_contact).add(r.n_stick).add(r.n_slip).add(r.n_detached);
-  row.add(r.residual).add(r.thickness_min).add(r.thickness_max);
+  row.add(r.residual).add(r.tangential_rest).add(r.iterations).add(r.factorisations);
+  row.add(r.thickness_min).add(r.thickness_max);
   for (const double quantity : r.quantities) row.add(quantity);
   return row.end();
 }
@@ -106,6 +108,7 @@ void RunWriter::add_increment(const IncrementReport& report) {
     row.add(event.increment).add(event.time).add(to_string(event.kind)).add(event.node);
     row.add(event.position.x()).add(event.position.y()).add(event.position.z()).add(tool_name(event.tool));
     row.add_quoted(event.cause).add(event.force_before).add(event.force_after).add(event.gap);
+    row.add(event.patch_pressure).add(event.threshold);
     lines += row.end();
   }
   // Events first: a history row says that its events are there, too.

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/contact/constraint.h"
 
+#include <Eigen/Eigenvalues>
+#include <cmath>
+
 namespace hydroscope {
 
 Eigen::Matrix<double, 3, kDofs> SlavePoint::calc_map() const {
@@ -11,6 +14,20 @@ Eigen::Matrix<double, 3, kDofs> SlavePoint::calc_map() const {
 
 Eigen::Matrix<double, kDofs, 1> calc_gap_row(const SlavePoint& point, const Vec3& normal) {
   return point.calc_map().transpose() * normal;
+}
+
+Mat3 calc_known_gradient(const FootPoint& foot, double radius) {
+  constexpr double kFlat = 0.1;  // of 1/radius: less is none
+  const Eigen::SelfAdjointEigenSolver<Mat3> principal(
+      Mat3(0.5 * (foot.normal_gradient + foot.normal_gradient.transpose())));
+  Mat3 gradient = Mat3::Zero();
+  for (int i = 0; i < 3; ++i) {
+    const double curvature = principal.eigenvalues()[i];
+    if (std::abs(curvature) < kFlat / radius) continue;
+    const Vec3 direction = principal.eigenvectors().col(i);
+    gradient += std::copysign(1.0 / radius, curvature) * direction * direction.transpose();
+  }
+  return gradient;
 }
 
 Eigen::Matrix<double, kDofs, kDofs> calc_contact_stiffness(const SlavePoint& point, const FootPoint& foot,

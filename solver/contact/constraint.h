@@ -19,6 +19,10 @@ struct SlavePoint {
 /// Row c with c . q = change of the gap: n . (u + offset theta x V).
 Eigen::Matrix<double, kDofs, 1> calc_gap_row(const SlavePoint& point, const Vec3& normal);
 
+/// dn/dx of a tool whose radius where it is curved is known (4.11)-(4.22): the principal curvatures
+/// of the foot point keep their directions and signs, but those that turn at all turn by 1/radius.
+Mat3 calc_known_gradient(const FootPoint& foot, double radius);
+
 /// What contact adds to the left-hand side: -K_C (4.28)-(4.44) with
 /// K_C = t_N J^T dn/dx J written on the contact point, so that it has rotation
 /// rows and columns; the friction's stiffness; and the second variation of the

@@ -17,9 +17,29 @@ struct Tool {
   double friction = 0.0;       ///< Coulomb mu
   double side = 1.0;           ///< +1: meets the outer face X + (h/2)V, -1: the inner (4.63)
   double leaves_at = 1e300;    ///< process time at which the tool is taken away [s]
+  double known_radius = 0.0;   ///< where the tool is curved [mm]; 0: the surface's own
 
   Vec3 calc_translation(double time) const { return {motion[0](time), motion[1](time), motion[2](time)}; }
   bool is_present(double time) const { return time < leaves_at; }
+};
+
+/// Why a node let go.
+enum class ReleaseCause : unsigned char {
+  kNone,
+  kTension,    ///< pulled beyond the threshold, and its patch carries no pressure
+  kPatch,      ///< with its patch, of which it is a part
+  kSign,       ///< by a sign rule
+  kEdge,       ///< slid off the tool's edge
+  kLost,       ///< no foot point near: slid off or far away
+  kToolTaken,  ///< the tool is taken away
+};
+
+/// Figures of the moment at which a node was released.
+struct Release {
+  ReleaseCause cause = ReleaseCause::kNone;
+  double force = 0.0;      ///< normal force then, negative under tension [N]
+  double pressure = 0.0;   ///< smoothed contact pressure then [MPa]
+  double threshold = 0.0;  ///< tension that was needed [N]
 };
 
 enum class ContactStatus : unsigned char { kFree, kStick, kSlip };
@@ -38,6 +58,7 @@ struct ContactPoint {
   Vec3 friction = Vec3::Zero();  ///< tangential force of the tool on the sheet [N]
   Vec3 slip = Vec3::Zero();      ///< accumulated sliding [mm]
   Vec3 slip_increment = Vec3::Zero();
+  Release release;            ///< the last one
   bool is_releasing = false;  ///< let go in this increment, not yet seen to open
   int held_row = -1;          ///< place of its constraint among the node's held ones; -1: redundant
   int locked = 0;             ///< increments for which it may not be released again

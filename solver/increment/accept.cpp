@@ -8,6 +8,7 @@
 #include "solver/increment/equations.h"
 #include "solver/increment/evaluate.h"
 #include "solver/increment/measures.h"
+#include "solver/increment/release.h"
 
 namespace hydroscope {
 
@@ -28,12 +29,37 @@ ContactEvent make_event(EventKind kind, const State& state, std::size_t tool, st
   event.force_before = before.normal_force;
   event.force_after = now.normal_force;
   event.gap = now.foot.gap;
+  if (kind == EventKind::kDetach || kind == EventKind::kTakenBack) {
+    event.force_after = now.release.force;
+    event.patch_pressure = now.release.pressure;
+    event.threshold = now.release.threshold;
+  }
   return event;
 }
 
+/// Why a node let go, in words. Under falling pressure a wall springs back: that is what tension means then.
+const char* name_cause(ReleaseCause cause, bool is_unloading) {
+  switch (cause) {
+    case ReleaseCause::kEdge:
+      return "edge";
+    case ReleaseCause::kLost:
+      return "left the tool";
+    case ReleaseCause::kToolTaken:
+      return "tool taken away";
+    case ReleaseCause::kSign:
+      return "sign rule";
+    case ReleaseCause::kPatch:
+      return is_unloading ? "unloading" : "patch";
+    case ReleaseCause::kTension:
+    case ReleaseCause::kNone:
+      break;
+  }
+  return is_unloading ? "unloading" : "tension";
+}
+
 /// Change of status of one node against one tool between two accepted states.
-void record_change(const Model& model, const State& state, std::size_t t, std::size_t i,
-                   const ContactPoint& before, ContactPoint& now, IncrementReport& report) {
+void record_change(const State& state, std::size_t t, std::size_t i, const ContactPoint& before,
+                   ContactPoint& now, bool is_unloading, IncrementReport& report) {
   const auto add = [&](EventKind kind, const char* cause) {
     report.events.push_back(make_event(kind, state, t, i, before, now, cause));
   };
@@ -44,13 +70,13 @@ void record_change(const Model& model, const State& state, std::size_t t, std::s
     ++now.toggles;
     now.last_toggle = state.increment;
   } else if (before.is_active() && !now.is_active()) {
-    const bool is_gone = !model.tools[t].is_present(state.time);
-    add(EventKind::kDetach,
-        is_gone ? "tool taken away" : (now.has_foot && now.foot.beyond_edge <= 0.0 ? "tension" : "edge"));
+    add(EventKind::kDetach, name_cause(now.release.cause, is_unloading));
     ++report.n_detached;
     ++now.toggles;
     now.last_toggle = state.increment;
     now.peak_force = 0.0;
+  } else if (before.is_active() && now.release.cause != ReleaseCause::kNone) {
+    add(EventKind::kTakenBack, name_cause(now.release.cause, is_unloading));
   } else if (before.status != now.status) {
     if (now.status == ContactStatus::kSlip) add(EventKind::kSlip, "friction limit");
     if (now.status == ContactStatus::kStick) add(EventKind::kStick, "sliding stopped");
@@ -58,7 +84,8 @@ void record_change(const Model& model, const State& state, std::size_t t, std::s
 }
 
 void update_contact_history(const Model& model, State& state,
-                            const std::vector<std::vector<ContactPoint>>& old, IncrementReport& report) {
+                            const std::vector<std::vector<ContactPoint>>& old, bool is_unloading,
+                            IncrementReport& report) {
   for (std::size_t t = 0; t < state.contacts.size(); ++t) {
     for (std::size_t i = 0; i < state.contacts[t].size(); ++i) {
       const ContactPoint& before = old[t][i];
@@ -72,7 +99,7 @@ void update_contact_history(const Model& model, State& state,
         now.peak_force = std::max(now.peak_force, now.normal_force);
         ++(now.status == ContactStatus::kStick ? report.n_stick : report.n_slip);
       }
-      record_change(model, state, t, i, before, now, report);
+      record_change(state, t, i, before, now, is_unloading, report);
       if (now.locked > 0) --now.locked;
       if (now.is_releasing && (!now.has_foot || now.foot.gap > 2.0 * model.touch_tolerance()))
         now.is_releasing = false;
@@ -106,7 +133,7 @@ void accept(const Model& model, const Attempt& attempt, State& state, Scratch& s
   state.reaction = calc_reactions(model, attempt.loads, scratch);
   update_thickness(model, trial);
   const auto old_contacts = std::move(state.contacts);
-  const double old_time = state.time;
+  const double old_time = state.time, old_pressure = state.pressure;
   state.wall = trial.wall;
   state.configuration = trial.configuration;
   state.layers = trial.layers;
@@ -119,6 +146,7 @@ void accept(const Model& model, const Attempt& attempt, State& state, Scratch& s
   state.volume = attempt.volume;
   state.peak_pressure = std::max(state.peak_pressure, state.pressure);
   state.last_dt = state.time - old_time;
+  state.unbalanced = attempt.unbalanced;
   ++state.increment;
 
   report.increment = state.increment;
@@ -128,9 +156,10 @@ void accept(const Model& model, const Attempt& attempt, State& state, Scratch& s
   report.limited_by = attempt.limit.limiter;
   report.limited_at = attempt.limit.at;
   report.residual = attempt.residual;
+  report.tangential_rest = calc_tangential_rest(scratch, attempt.loads);
   report.iterations = attempt.iterations;
   report.negative_pivots = attempt.negative_pivots;
-  update_contact_history(model, state, old_contacts, report);
+  update_contact_history(model, state, old_contacts, state.pressure < old_pressure, report);
   update_outer_pressure(model, state);
   const auto [low, high] = std::minmax_element(state.wall.begin(), state.wall.end());
   report.thickness_min = *low;

@@ -57,13 +57,25 @@ double calc_growth(int factorisations) {
   return factorisations <= 12 ? 1.0 : 0.7;
 }
 
+/// The error of the embedded pair is of second order in the increment's length (Abbo & Sloan 1996).
+double calc_error_growth(double error) {
+  return error > 0.0 ? std::clamp(0.9 / std::sqrt(error), 0.2, 2.0) : 2.0;
+}
+
 /// Size of the next increment from what this one needed.
-double propose_next(const Model& model, const Trial& trial, double dt, int factorisations) {
-  double factor = calc_growth(factorisations);
-  if (trial.strain_increment > 0.0) {
+double propose_next(const Model& model, const Trial& trial, double dt, const Attempt& attempt) {
+  double factor = calc_growth(attempt.factorisations);
+  if (model.controls_error) factor = calc_error_growth(attempt.error);
+  if (trial.strain_increment > 0.0 && model.increment.max_strain > 0.0) {
     factor = std::min(factor, 0.9 * model.increment.max_strain / trial.strain_increment);
   }
   return std::min(dt * std::max(factor, 0.2), model.increment.largest * model.end_time);
+}
+
+/// Did something happen that the linearisation ignores?
+bool is_event(Limiter limiter) {
+  return limiter == Limiter::kYield || limiter == Limiter::kTouch || limiter == Limiter::kRelease ||
+         limiter == Limiter::kStickToSlip;
 }
 
 std::string describe_pressure(double pressure) {
@@ -153,6 +165,7 @@ IncrementReport advance(const Model& model, State& state, Scratch& scratch) {
   const int factorisations_before = scratch.factorisations;
   const double floor = model.increment.smallest * model.end_time;
   double dt = std::max(state.next_dt, floor);
+  bool error_limited = false;
   const double corner = find_corner(model, state);
   for (int tries = 0;; ++tries) {
     Target target = make_target(model, state, dt, corner);
@@ -168,23 +181,33 @@ IncrementReport advance(const Model& model, State& state, Scratch& scratch) {
         dt = 0.9 * strain_fraction * done;
         continue;
       }
+      if (attempt.error > 1.0 && done > 2.0 * floor) {
+        dt = calc_error_growth(attempt.error) * done;
+        error_limited = true;
+        continue;
+      }
       if (has_jumped(model, state, attempt, scratch)) {
         report.factorisations = scratch.factorisations - factorisations_before;
         end_at_maximum(report, state);
         return report;
       }
-      const double next = propose_next(model, scratch.trial, done, attempt.factorisations);
+      const double next = propose_next(model, scratch.trial, done, attempt);
       report.factorisations = scratch.factorisations - factorisations_before;
       accept(model, attempt, state, scratch, report);
       state.is_at_corner = state.time >= corner * (1.0 - 1e-12);
       report.step_fraction = tried > 0.0 ? done / tried : 1.0;
       // A short step to the corner of a path says nothing about the next one.
       state.next_dt = (tried < 0.5 * dt && attempt.limit.fraction >= 1.0) ? dt : next;
+      // A forward step shortened by an event is a scaled longer one, which has cost no more.
+      if (model.correction != Correction::kNewton && is_event(attempt.limit.limiter)) {
+        state.next_dt = std::max(state.next_dt, 0.9 * tried);
+      }
       // What follows a corner is unknown: begin gently, as at the start.
       if (state.is_at_corner) state.next_dt = std::min(state.next_dt, 0.005 * model.end_time);
       if (strain_fraction < 1.0 || next < 1.4 * done) {
         if (report.limited_by == Limiter::kTimePath) report.limited_by = Limiter::kStrain;
       }
+      if (error_limited) report.limited_by = Limiter::kError;
       return report;
     }
     dt = 0.35 * std::min(dt, attempt.limit.fraction < 1.0 ? attempt.limit.fraction * tried : tried);

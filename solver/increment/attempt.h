@@ -27,6 +27,8 @@ struct Attempt {
   int factorisations = 0;   ///< the prediction's and the corrector's
   int negative_pivots = 0;  ///< of the predictor's matrix: the last state's, under the pressure aimed at
   double compliance = 0.0;  ///< g . K^-1 g of the predictor when it was unstable
+  double error = 0.0;       ///< of the embedded pair against the one allowed; with control of the error
+  Vector unbalanced;        ///< out-of-balance force left behind [N]; of an explicit step
 };
 
 /// Predictor and corrector from `state` to `target` (or to the part of it that r_min allows).

@@ -6,14 +6,11 @@
 #include <limits>
 
 #include "solver/contact/constraint.h"
+#include "solver/increment/release.h"
 
 namespace hydroscope {
 
 namespace {
-
-// Tension as large as the fluid's share of the node is no noise, whatever the neighbours carry.
-constexpr double kCertainTension = 1.0;
-constexpr double kPatchShare = 0.05;  // of the nodes in contact under tension: a patch lets go, not noise
 
 SlavePoint make_slave_point(const Configuration& c, std::size_t i, const Tool& tool) {
   return {c.triad[i], tool.side * 0.5 * c.thickness[i]};
@@ -70,6 +67,19 @@ bool is_held_along(const Model& model, std::size_t i, const Vec3& normal) {
   return true;
 }
 
+/// Friction by the law of the scene.
+FrictionResult calc_point_friction(const Model& model, const ContactPoint& start, const Tool& tool,
+                                   double area, const ContactPoint& point) {
+  const Vec3 slide = point.position - point.anchor, n = point.foot.normal;
+  const double stick = calc_stick_stiffness(model, area);
+  if (tool.friction > 0.0 && model.friction_law != FrictionLaw::kReturnMapping) {
+    const bool slips =
+        model.friction_law == FrictionLaw::kOneStepBehind && start.status == ContactStatus::kSlip;
+    return calc_lagging_friction(start.friction, slips, slide, n, stick);
+  }
+  return calc_friction(start.friction, slide, n, point.friction_normal, tool.friction, stick);
+}
+
 /// Contact of one node with one tool: constraint row, normal force, friction, stiffness.
 void evaluate_point(const Model& model, const Loads& loads, const ContactPoint& start, const Tool& tool,
                     std::size_t i, const NodeVector& residual, bool freeze_friction, Scratch& s,
@@ -85,16 +95,18 @@ void evaluate_point(const Model& model, const Loads& loads, const ContactPoint& 
     const double bound = 2.0 * std::max(start.normal_force, 2.0 * std::abs(loads.pressure) * trial.area[i]);
     point.friction_normal = loads.pressure != 0.0 ? std::min(point.normal_force, bound) : point.normal_force;
   }
-  const FrictionResult friction =
-      calc_friction(start.friction, point.position - point.anchor, point.foot.normal, point.friction_normal,
-                    tool.friction, calc_stick_stiffness(model, trial.area[i]));
+  const FrictionResult friction = calc_point_friction(model, start, tool, trial.area[i], point);
   point.friction = friction.force;
   point.status = friction.is_slipping ? ContactStatus::kSlip : ContactStatus::kStick;
   const auto map = slave.calc_map();
   trial.friction.segment<kDofs>(at) += map.transpose() * friction.force;
   trial.normal_reaction.segment<3>(at) += point.normal_force * point.foot.normal;
-  s.node_blocks[i] += calc_contact_stiffness(slave, point.foot, point.normal_force, friction,
-                                             model.contact.curvature != "none", true);
+  FootPoint foot = point.foot;
+  if (model.curvature == Curvature::kKnownRadius && tool.known_radius > 0.0)
+    foot.normal_gradient = calc_known_gradient(foot, tool.known_radius);
+  s.node_blocks[i] +=
+      calc_contact_stiffness(slave, foot, point.normal_force, friction, model.curvature != Curvature::kNone,
+                             model.curvature != Curvature::kFull);
 }
 
 /// Where a node that went through the tool in this increment crossed its surface.
@@ -104,35 +116,10 @@ Vec3 calc_anchor(const ContactPoint& before, const ContactPoint& now) {
   return before.position + std::clamp(share, 0.0, 1.0) * (now.position - before.position);
 }
 
-struct ReleaseScale {
-  double mean_force = 0.0;  ///< of the nodes pressed by this tool [N]
-  int count = 0;            ///< nodes in contact with it
-};
-
-ReleaseScale calc_release_scale(const std::vector<ContactPoint>& contacts) {
-  ReleaseScale scale;
-  int pressed = 0;
-  for (const ContactPoint& c : contacts) {
-    if (!c.is_active()) continue;
-    ++scale.count;
-    if (c.normal_force <= 0.0) continue;
-    scale.mean_force += c.normal_force;
-    ++pressed;
-  }
-  if (pressed > 0) scale.mean_force /= pressed;
-  return scale;
-}
-
 SpringChange make_spring(const Model& model, const Trial& trial, std::size_t t, std::size_t i, double sign) {
   const SlavePoint slave = make_slave_point(trial.configuration, i, model.tools[t]);
   return {static_cast<int>(i), calc_gap_row(slave, trial.contacts[t][i].foot.normal),
           sign * calc_wall_stiffness(model, trial.area[i])};
-}
-
-void set_free(ContactPoint& c) {
-  c.status = ContactStatus::kFree;
-  c.normal_force = 0.0;
-  c.friction.setZero();
 }
 
 /// Free nodes that have gone through the tool touch it.
@@ -153,43 +140,6 @@ void take_touches(const Model& model, const State& state, std::size_t t, Trial& 
     point.is_releasing = false;
     change.springs.push_back(make_spring(model, trial, t, i, 1.0));
   }
-}
-
-/// Nodes that let go: by clear tension, past the tool's edge, and where they are many their neighbours in
-/// contact as far as there is a quarter of that tension. A backed wall lets go together (V9); were a part of
-/// it left hanging, it would bend the rest.
-std::vector<std::size_t> find_releases(const Model& model, const Loads& loads, std::size_t t,
-                                       const Trial& trial) {
-  const auto& contacts = trial.contacts[t];
-  const ReleaseScale scale = calc_release_scale(contacts);
-  const auto is_pulled = [&](std::size_t i, double tolerance) {
-    const ContactPoint& c = contacts[i];
-    const double reference = std::max(std::abs(loads.pressure) * trial.area[i], 0.1 * scale.mean_force);
-    if (c.normal_force < -kCertainTension * reference) return true;
-    return c.locked == 0 && c.normal_force < -tolerance * reference &&
-           calc_smoothed_pressure(model, contacts, trial.area, static_cast<int>(i)) <= 0.0;
-  };
-  std::vector<std::size_t> releases;
-  std::vector<char> is_released(contacts.size(), 0);
-  const auto release = [&](std::size_t i) {
-    is_released[i] = 1;
-    releases.push_back(i);
-  };
-  for (std::size_t i = 0; i < contacts.size(); ++i) {
-    if (!contacts[i].is_active()) continue;
-    const bool has_left_edge = contacts[i].foot.beyond_edge > 0.5 * model.thickness;
-    if (has_left_edge || is_pulled(i, model.contact.release_tolerance)) release(i);
-  }
-  const bool is_patch = kPatchShare * scale.count <= static_cast<double>(releases.size());
-  for (std::size_t k = 0; is_patch && k < releases.size(); ++k) {
-    for (const int neighbour : model.node_neighbours[releases[k]]) {
-      const auto j = static_cast<std::size_t>(neighbour);
-      if (is_released[j] == 0 && contacts[j].is_active() &&
-          is_pulled(j, 0.25 * model.contact.release_tolerance))
-        release(j);
-    }
-  }
-  return releases;
 }
 
 }  // namespace
@@ -214,7 +164,7 @@ void search_contacts(const Model& model, const Loads& loads, Scratch& s) {
         point.position = trial.configuration.x[i] + slave.offset * slave.triad.v - translation;
         point.has_foot = false;
         if (!is_present) {
-          set_free(point);
+          set_free(point, {ReleaseCause::kToolTaken, point.normal_force, 0.0, 0.0});
           continue;
         }
         // A node in contact is looked for farther: it must not be lost by one long step.
@@ -245,7 +195,7 @@ void evaluate_contacts(const Model& model, const State& state, const Loads& load
     for (std::size_t t = 0; t < model.tools.size(); ++t) {
       ContactPoint& point = trial.contacts[t][i];
       if (point.is_active() && !point.has_foot) {  // slid off or far away: no longer this tool's
-        set_free(point);
+        set_free(point, {ReleaseCause::kLost, point.normal_force, 0.0, 0.0});
       }
       if (!point.is_active()) continue;
       touches = true;
@@ -270,35 +220,63 @@ void evaluate_contacts(const Model& model, const State& state, const Loads& load
   }
 }
 
-double calc_smoothed_pressure(const Model& model, const std::vector<ContactPoint>& contacts,
-                              const std::vector<double>& area, int node) {
-  const auto i = static_cast<std::size_t>(node);
-  double force = contacts[i].normal_force, sum = area[i];
-  for (const int j : model.node_neighbours[i]) {
-    const auto k = static_cast<std::size_t>(j);
-    if (!contacts[k].is_active()) continue;
-    force += 0.5 * contacts[k].normal_force;
-    sum += 0.5 * area[k];
-  }
-  return sum > 0.0 ? force / sum : 0.0;
-}
-
 SetChange update_contact_set(const Model& model, const State& state, const Loads& loads, bool may_release,
                              Scratch& s) {
   Trial& trial = s.trial;
   SetChange change;
   for (std::size_t t = 0; t < model.tools.size(); ++t) {
     take_touches(model, state, t, trial, change);
-    if (!may_release) continue;
-    for (const std::size_t i : find_releases(model, loads, t, trial)) {
-      ContactPoint& point = trial.contacts[t][i];
-      change.springs.push_back(make_spring(model, trial, t, i, -1.0));
-      set_free(point);
+    if (!may_release || model.release != ReleaseRule::kFull) continue;
+    for (const NodeRelease& release : find_releases(model, loads, t, trial)) {
+      ContactPoint& point = trial.contacts[t][release.node];
+      change.springs.push_back(make_spring(model, trial, t, release.node, -1.0));
+      set_free(point, release.why);
       point.is_releasing = true;
       ++change.released;
     }
   }
   return change;
+}
+
+void renew_friction(const Model& model, Scratch& s) {
+  if (model.friction_law != FrictionLaw::kOneStepBehind) return;
+  Trial& trial = s.trial;
+  const double shortest = 1e-6 * model.thickness;
+  for (std::size_t t = 0; t < model.tools.size(); ++t) {
+    const Tool& tool = model.tools[t];
+    for (std::size_t i = 0; tool.friction > 0.0 && i < trial.contacts[t].size(); ++i) {
+      ContactPoint& point = trial.contacts[t][i];
+      if (!point.is_active()) continue;
+      const FrictionResult renewed = renew_lagging_friction(
+          point.friction, point.status == ContactStatus::kSlip, point.position - point.anchor,
+          point.foot.normal, point.normal_force, tool.friction, shortest);
+      const auto map = make_slave_point(trial.configuration, i, tool).calc_map();
+      trial.friction.segment<kDofs>(static_cast<Eigen::Index>(kDofs * i)) +=
+          map.transpose() * (renewed.force - point.friction);  // (4.48)
+      point.friction = renewed.force;
+      point.status = renewed.is_slipping ? ContactStatus::kSlip : ContactStatus::kStick;
+    }
+  }
+}
+
+double calc_tangential_rest(const Scratch& s, const Loads& loads) {
+  const Trial& trial = s.trial;
+  const Vector residual = trial.calc_residual(loads);
+  double rest = 0.0, force = 0.0;
+  for (const auto& contacts : trial.contacts) {
+    for (std::size_t i = 0; i < contacts.size(); ++i) {
+      const ContactPoint& c = contacts[i];
+      if (!c.is_active() || c.held_row < 0) continue;
+      // What the node's constraints do not hold: supports, and the tool itself.
+      const auto free = s.bases[i].transform().rightCols(kDofs - s.bases[i].n_held());
+      const NodeVector rest_force =
+          free * (free.transpose() * residual.segment<kDofs>(static_cast<Eigen::Index>(kDofs * i)));
+      const Vec3 r = rest_force.head<3>(), n = c.foot.normal;
+      rest += (r - n.dot(r) * n).squaredNorm();
+      force += c.normal_force * c.normal_force;
+    }
+  }
+  return force > 0.0 ? std::sqrt(rest / force) : 0.0;
 }
 
 double calc_gap_error(const Trial& trial) {

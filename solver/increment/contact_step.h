@@ -21,11 +21,6 @@ void search_contacts(const Model& model, const Loads& loads, Scratch& scratch);
 void evaluate_contacts(const Model& model, const State& state, const Loads& loads, bool freeze_friction,
                        Scratch& scratch);
 
-/// Smoothed contact pressure of a tool's patch at a node [MPa]: the node with
-/// half of each neighbour in contact, over the same areas (mechanics 9.4).
-double calc_smoothed_pressure(const Model& model, const std::vector<ContactPoint>& contacts,
-                              const std::vector<double>& area, int node);
-
 /// A spring of the wall (calc_wall_stiffness()) that has come into the matrix, or gone from it (negative).
 struct SpringChange {
   int node = 0;
@@ -46,6 +41,14 @@ struct SetChange {
 /// `may_release` is false while reactions are still far from equilibrium.
 SetChange update_contact_set(const Model& model, const State& state, const Loads& loads, bool may_release,
                              Scratch& scratch);
+
+/// With friction one step behind: forces and status for the next increment (4.46)-(4.48), once this one is
+/// done.
+void renew_friction(const Model& model, Scratch& scratch);
+
+/// Tangential part of the out-of-balance force at the nodes in contact against their normal forces, both as
+/// Euclidean norms: what (4.23) calls the rest.
+double calc_tangential_rest(const Scratch& scratch, const Loads& loads);
 
 /// Largest distance by which a node in contact is off its tool [mm].
 double calc_gap_error(const Trial& trial);

@@ -58,19 +58,34 @@ Vector calc_rest(const Loads& loads, const Scratch& s) {
   return local;
 }
 
-/// Out-of-balance force with what the springs of constraints lack, in the bases of the factorised
-/// matrix; nothing on what is eliminated.
+/// The same in the bases of the factorised matrix; nothing on what is eliminated.
 Vector calc_factor_force(const Loads& loads, const Scratch& s) {
-  Vector force = s.trial.calc_residual(loads);
+  return without_held(to_local(s.factor_bases, calc_unbalanced(loads, s)), s);
+}
+
+/// Prescribed values in the order of the local degrees of freedom.
+Vector gather_prescribed(const Scratch& s) {
+  Vector prescribed = Vector::Zero(s.matrix.size());
   for (std::size_t i = 0; i < s.bases.size(); ++i) {
-    const NodeBasis& basis = s.bases[i];
-    for (int k = 0; k < basis.n_held(); ++k) {
-      if (basis.is_eliminated(k)) continue;
-      force.segment<kDofs>(static_cast<Eigen::Index>(kDofs * i)) +=
-          basis.stiffness(k) * basis.value(k) * basis.row(k);
+    for (int k = 0; k < s.bases[i].n_held(); ++k) {
+      if (!s.bases[i].is_eliminated(k)) continue;
+      prescribed[static_cast<Eigen::Index>(kDofs * i) + k] = s.bases[i].value(k);
     }
   }
-  return without_held(to_local(s.factor_bases, force), s);
+  return prescribed;
+}
+
+/// K q = force with q given where it is held: by elimination, or by a penalty whose small displacement
+/// `penetration` carries the reaction (4.58)-(4.62).
+Vector solve_constrained(const Model& model, const Vector& force, const Vector& prescribed, Scratch& s,
+                         Vector* penetration) {
+  const Vector rest = force - s.matrix.multiply(prescribed);
+  if (!model.use_penalty) {
+    return s.secant.solve(s.solver, without_held(rest, s) + calc_diagonal(model) * prescribed);
+  }
+  const Vector x = s.secant.solve(s.solver, rest);
+  if (penetration != nullptr) *penetration = x - without_held(x, s);
+  return x + prescribed;
 }
 
 double calc_force_norm(const Vector& v) {
@@ -91,11 +106,27 @@ double calc_moment_load(const Model& model, const Loads& loads) {
 
 }  // namespace
 
+Vector calc_unbalanced(const Loads& loads, const Scratch& s) {
+  Vector force = s.trial.calc_residual(loads);
+  for (std::size_t i = 0; i < s.bases.size(); ++i) {
+    const NodeBasis& basis = s.bases[i];
+    for (int k = 0; k < basis.n_held(); ++k) {
+      if (basis.is_eliminated(k)) continue;
+      force.segment<kDofs>(static_cast<Eigen::Index>(kDofs * i)) +=
+          basis.stiffness(k) * basis.value(k) * basis.row(k);
+    }
+  }
+  return force;
+}
+
 void start_trial(const State& state, Scratch& s) {
   s.trial.configuration = state.configuration;
   s.trial.contacts = state.contacts;
   for (auto& contacts : s.trial.contacts) {
-    for (ContactPoint& c : contacts) c.anchor = c.position;
+    for (ContactPoint& c : contacts) {
+      c.anchor = c.position;
+      c.release = {};
+    }
   }
 }
 
@@ -135,7 +166,11 @@ Factorisation factorise(const Model& model, Scratch& s) {
   }
   s.factor_bases = s.bases;
   s.secant.clear();
-  s.matrix.eliminate(s.is_held, calc_diagonal(model), s.values);
+  if (model.use_penalty) {
+    s.matrix.penalise(s.is_held, model.contact.penalty, s.values);
+  } else {
+    s.matrix.eliminate(s.is_held, calc_diagonal(model), s.values);
+  }
   s.last_factorisation = s.solver.factorise(s.values);
   s.factorisations += s.last_factorisation.factorisations;
   return s.last_factorisation;
@@ -151,29 +186,39 @@ double calc_work(const Loads& loads, const Vector& q, const Scratch& s) {
   return work;
 }
 
-Solution solve(const Model& model, const Loads& loads, bool use_volume, double volume_gap, Scratch& s) {
+Step make_step(const Loads& loads, const Scratch& s) {
+  return {calc_unbalanced(loads, s), gather_prescribed(s)};
+}
+
+Solution solve(const Model& model, const Loads& loads, const Step& step, bool use_volume, double volume_gap,
+               Scratch& s) {
   const PhaseTimer timer(s.times.solve);
-  Vector prescribed = Vector::Zero(s.matrix.size());
-  for (std::size_t i = 0; i < s.bases.size(); ++i) {
-    for (int k = 0; k < s.bases[i].n_held(); ++k) {
-      if (!s.bases[i].is_eliminated(k)) continue;
-      prescribed[static_cast<Eigen::Index>(kDofs * i) + k] = s.bases[i].value(k);
-    }
-  }
+  const Vector force = to_local(s.factor_bases, step.force);
   Solution solution;
-  solution.force = calc_factor_force(loads, s);
-  const Vector rhs = without_held(solution.force - s.matrix.multiply(prescribed), s) +
-                     calc_diagonal(model) * prescribed;  // (4.58)
-  solution.q = to_world(s.factor_bases, s.secant.solve(s.solver, rhs));
+  solution.force = without_held(force, s);
+  solution.local = solve_constrained(model, force, step.prescribed, s, &solution.penetration);
+  solution.q = to_world(s.factor_bases, solution.local);
   if (use_volume) {
-    const Vector load = without_held(to_local(s.factor_bases, s.trial.pressure_load), s);
-    const Vector per_pressure = to_world(s.factor_bases, s.secant.solve(s.solver, load));  // mechanics 3.4
+    const Vector load = to_local(s.factor_bases, s.trial.pressure_load);
+    const Vector per_pressure =
+        to_world(s.factor_bases,
+                 solve_constrained(model, load, Vector::Zero(load.size()), s, nullptr));  // mechanics 3.4
     solution.compliance = s.trial.pressure_load.dot(per_pressure);
     solution.pressure_change = (volume_gap - s.trial.pressure_load.dot(solution.q)) / solution.compliance;
     solution.q += solution.pressure_change * per_pressure;
   }
   solution.work = calc_work(loads, solution.q, s);
   return solution;
+}
+
+Vector calc_held_forces(const Model& model, const Step& step, const Solution& solution, const Scratch& s) {
+  Vector forces;
+  if (model.use_penalty) {
+    forces = -model.contact.penalty * solution.penetration;  // (4.62)
+  } else {
+    forces = s.matrix.multiply(solution.local) - to_local(s.factor_bases, step.force);
+  }
+  return forces - without_held(forces, s);
 }
 
 bool learn_springs(const std::vector<SpringChange>& changes, Scratch& s) {

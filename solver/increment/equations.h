@@ -32,14 +32,38 @@ struct Solution {
   double pressure_change = 0.0;  ///< [MPa]
   double work = 0.0;             ///< q . out-of-balance force [N mm]
   Vector force;                  ///< out-of-balance force in the factor's bases
+  Vector local;                  ///< q in the factor's bases, before any change of pressure
+  Vector penetration;            ///< what a penalty lets the held degrees of freedom give way
   double compliance =
       0.0;  ///< g . K^-1 g [mm^3/MPa]: negative past a limit point of pressure (volume control)
 };
 
-/// Solves K q = residual with the prescribed values of the bases and the matrix factorised last, as far
+/// Out-of-balance force of the trial with what the springs of constraints lack, in world terms.
+Vector calc_unbalanced(const Loads& loads, const Scratch& scratch);
+
+/// What a solve is given: forces in world terms, and the displacements of held degrees of freedom in
+/// the nodes' bases.
+struct Step {
+  Vector force, prescribed;
+};
+Step make_step(const Loads& loads, const Scratch& scratch);
+
+/// Solves K q = force with the matrix factorised last, as far
 /// as the steps since have not taught better; with volume control, `volume_gap` [mm^3] is what the
 /// enclosed volume still lacks.
-Solution solve(const Model& model, const Loads& loads, bool use_volume, double volume_gap, Scratch& scratch);
+Solution solve(const Model& model, const Loads& loads, const Step& step, bool use_volume, double volume_gap,
+               Scratch& scratch);
+
+/// The same for the trial's own out-of-balance force.
+inline Solution solve(const Model& model, const Loads& loads, bool use_volume, double volume_gap,
+                      Scratch& scratch) {
+  return solve(model, loads, make_step(loads, scratch), use_volume, volume_gap, scratch);
+}
+
+/// Forces with which the constraints have held a solution, in the bases of the factor: of eliminated rows
+/// from the rows wiped, of a penalty -alpha X (4.62) [N]. Without a change of pressure by volume control.
+Vector calc_held_forces(const Model& model, const Step& step, const Solution& solution,
+                        const Scratch& scratch);
 
 /// Work of the out-of-balance force of the trial on displacements `q` [N mm].
 double calc_work(const Loads& loads, const Vector& q, const Scratch& scratch);

@@ -76,7 +76,9 @@ void sum_over_nodes(const Scratch& s, Trial& trial, std::size_t begin, std::size
 }  // namespace
 
 Scratch::Scratch(const Model& model, int threads)
-    : pool(threads), matrix(model.n_nodes(), model.quads), solver(matrix) {
+    : pool(threads),
+      matrix(model.n_nodes(), model.quads),
+      solver(matrix, model.curvature == Curvature::kFull) {
   const auto n = static_cast<std::size_t>(model.n_nodes()), n_e = model.quads.size();
   element_matrices.resize(n_e);
   responses.resize(n_e);

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "solver/contact/contact_point.h"
+#include "solver/contact/friction.h"
 #include "solver/loading/path.h"
 #include "solver/scene/scene.h"
 #include "solver/shell/shell_element.h"
@@ -44,6 +45,19 @@ struct Quantity {
   std::vector<int> elements;  ///< over which it is averaged
 };
 
+/// How the tangent knows that normals turn (method section 4).
+enum class Curvature { kNone, kKnownRadius, kSymmetric, kFull };
+
+/// When a node lets go (mechanics 9).
+enum class ReleaseRule {
+  kFull,   ///< thresholds, patches, verification
+  kFluid,  ///< sign of the normal force, the fluid's subtracted
+  kSign,   ///< sign of the internal nodal force
+};
+
+/// What becomes of out-of-balance forces (method sections 4.2 and 4.3).
+enum class Correction { kNewton, kNone, kOneStepBehind, kAlgoneq };
+
 /// Everything about an analysis that does not change while it runs.
 struct Model {
   std::string title;
@@ -69,6 +83,12 @@ struct Model {
   double end_time = 1.0;
   ContactScene contact;
   IncrementScene increment;
+  Curvature curvature = Curvature::kSymmetric;
+  FrictionLaw friction_law = FrictionLaw::kReturnMapping;
+  ReleaseRule release = ReleaseRule::kFull;
+  Correction correction = Correction::kNewton;
+  bool use_penalty = false;  ///< constraints by penalty, else by elimination
+  bool controls_error = false;
   LimitsScene limits;
   std::vector<Quantity> quantities;
   int stop_quantity = -1;

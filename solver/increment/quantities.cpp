@@ -4,9 +4,9 @@
 #include <limits>
 #include <numbers>
 
-#include "solver/increment/contact_step.h"
 #include "solver/increment/edge_load.h"
 #include "solver/increment/measures.h"
+#include "solver/increment/release.h"
 
 namespace hydroscope {
 

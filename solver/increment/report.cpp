@@ -49,6 +49,8 @@ const char* to_string(Limiter limiter) {
       return "slide";
     case Limiter::kConvergence:
       return "convergence";
+    case Limiter::kError:
+      return "error-tolerance";
     case Limiter::kQuantity:
       return "quantity";
   }
@@ -67,6 +69,8 @@ const char* to_string(EventKind kind) {
       return "detach";
     case EventKind::kRetouch:
       return "retouch";
+    case EventKind::kTakenBack:
+      return "taken-back";
   }
   return "";
 }

@@ -34,10 +34,18 @@ enum class Limiter {
   kStickToSlip,
   kSlide,
   kConvergence,
-  kQuantity
+  kQuantity,
+  kError
 };
 
-enum class EventKind { kTouch, kStick, kSlip, kDetach, kRetouch };
+enum class EventKind {
+  kTouch,
+  kStick,
+  kSlip,
+  kDetach,
+  kRetouch,
+  kTakenBack,  ///< let go and pushed back by the fluid within one increment
+};
 
 /// One line of events.csv.
 struct ContactEvent {
@@ -48,9 +56,11 @@ struct ContactEvent {
   Vec3 position = Vec3::Zero();  ///< contact point [mm]
   int tool = -1;                 ///< index into the model's tools
   std::string cause;             ///< e.g. "gap closed", "tension", "edge", "reopened"
-  double force_before = 0.0;     ///< normal force [N]
-  double force_after = 0.0;
-  double gap = 0.0;  ///< [mm]
+  double force_before = 0.0;     ///< normal force at the last accepted state [N]
+  double force_after = 0.0;     ///< now; of a node that let go, when it did: the tension that released it [N]
+  double gap = 0.0;             ///< [mm]
+  double patch_pressure = 0.0;  ///< of a node that let go: smoothed contact pressure then [MPa]
+  double threshold = 0.0;       ///< tension at which it was to let go [N]
 };
 
 /// A finding that marks the run without ending it (necking, negative pivot ...).
@@ -77,6 +87,7 @@ struct IncrementReport {
   int limited_at = -1;  ///< node or element
   int n_contact = 0, n_stick = 0, n_slip = 0, n_detached = 0;
   double residual = 0.0;                            ///< out-of-balance force against the reference force
+  double tangential_rest = 0.0;                     ///< of it, tangential at contact nodes (4.23)
   double thickness_min = 0.0, thickness_max = 0.0;  ///< [mm]
   int iterations = 0;                               ///< corrector passes
   int factorisations = 0;                           ///< of this increment

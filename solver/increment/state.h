@@ -28,6 +28,7 @@ struct State {
   std::vector<double> wall;            ///< thickness at the nodes, volume over area [mm]
   std::vector<double> area;            ///< tributary mid-surface area of a node [mm^2]
   std::vector<Vec3> reaction;          ///< of the supports, a node [N]
+  Eigen::VectorXd unbalanced;  ///< out-of-balance force left behind; kept by explicit corrections only
   double time = 0.0, pressure = 0.0, volume = 0.0;  ///< [s], [MPa], [mm^3]
   double last_dt = 0.0;                             ///< length of the last increment [s]
   int increment = 0;

@@ -19,7 +19,7 @@ StepLimit calc_step_limit(const Model& model, const Vector& q, const Trial& tria
   for (std::size_t i = 0; i < model.x0.size(); ++i) {
     const NodeVector step = q.segment<kDofs>(static_cast<Eigen::Index>(kDofs * i));
     const double rotation = step.tail<2>().norm();
-    if (rotation > max_rotation)
+    if (max_rotation > 0.0 && rotation > max_rotation)
       limit.reduce(max_rotation / rotation, Limiter::kRotation, static_cast<int>(i));
     for (std::size_t t = 0; t < model.tools.size(); ++t) {
       const ContactPoint& point = trial.contacts[t][i];
@@ -30,7 +30,8 @@ StepLimit calc_step_limit(const Model& model, const Vector& q, const Trial& tria
       const double closing = -point.foot.normal.dot(move);
       if (point.is_active()) {
         const double slide = (move + closing * point.foot.normal).norm();
-        if (slide > max_slide) limit.reduce(max_slide / slide, Limiter::kSlide, static_cast<int>(i));
+        if (max_slide > 0.0 && slide > max_slide)
+          limit.reduce(max_slide / slide, Limiter::kSlide, static_cast<int>(i));
       } else if (closing > 0.0) {
         limit.reduce((std::max(point.foot.gap, 0.0) + allowance) / closing, Limiter::kTouch,
                      static_cast<int>(i));
@@ -63,6 +64,7 @@ void limit_by_contact_events(const Model& model, const State& state, const Vecto
                              StepLimit& limit) {
   const bool at_release = stops_at(model, "release"), at_slip = stops_at(model, "slip");
   if (!at_release && !at_slip) return;
+  constexpr double kPressed = 0.02;   // of the fluid's share of the node
   constexpr double kShortest = 0.02;  // nearer events are left to the corrector
   const auto stop = [&](double r, Limiter by, std::size_t i) {
     limit.reduce(std::max(kShortest, (1.0 + model.increment.cluster) * r), by, static_cast<int>(i));
@@ -74,10 +76,13 @@ void limit_by_contact_events(const Model& model, const State& state, const Vecto
       if (!start.is_active() || point.held_row < 0 || s.bases[i].is_eliminated(point.held_row)) continue;
       const NodeVector step = q.segment<kDofs>(static_cast<Eigen::Index>(kDofs * i));
       const NodeBasis& basis = s.bases[i];
-      const double now = start.normal_force,
-                   end = basis.stiffness(point.held_row) *
-                         (basis.value(point.held_row) - basis.row(point.held_row).dot(step));
-      if (at_release && now > 0.0 && end < 0.0) stop(now / (now - end), Limiter::kRelease, i);
+      // The spring gives way by the step less the way of the tool; where forces are out of balance its own
+      // force is not the node's.
+      const double give = basis.value(point.held_row) + start.foot.gap - basis.row(point.held_row).dot(step),
+                   now = start.normal_force, end = now + basis.stiffness(point.held_row) * give;
+      // What hardly presses will let go sooner or later: no event to stop at.
+      const double pressed = kPressed * std::abs(state.pressure) * s.trial.area[i];
+      if (at_release && now > pressed && end < 0.0) stop(now / (now - end), Limiter::kRelease, i);
       if (!at_slip || start.status != ContactStatus::kStick || model.tools[t].friction <= 0.0) continue;
       const SlavePoint slave{s.trial.configuration.triad[i],
                              model.tools[t].side * 0.5 * s.trial.configuration.thickness[i]};
@@ -91,7 +96,7 @@ void limit_by_contact_events(const Model& model, const State& state, const Vecto
 
 double calc_strain_fraction(const Model& model, const Trial& trial) {
   const double limit = model.increment.max_strain;
-  return trial.strain_increment > limit ? limit / trial.strain_increment : 1.0;
+  return limit > 0.0 && trial.strain_increment > limit ? limit / trial.strain_increment : 1.0;
 }
 
 }  // namespace hydroscope

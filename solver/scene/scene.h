@@ -67,6 +67,8 @@ struct ShellScene {  // [shell]
   int thickness_points = 5;
   std::string thickness_rule = "gauss";  // gauss | lobatto | simpson | split_gauss (points / 2 in each half)
   std::string through_wall_stress = "off";  // off | mean (sigma33 = mean of the two faces' pressures)
+  bool director_stiffness = true;           // director_stiffness: second variation of the fibre (K_rot)
+  bool curvature_terms = true;              // curvature_terms: the layers' metric to second order in zeta
 };
 
 struct LoadScene {                   // [load]
@@ -119,15 +121,20 @@ struct ToolScene {                 // [tool.NAME]
   std::string face = "outer";                  // face of the sheet that meets it: outer | inner
   std::vector<std::array<double, 4>> motion;   // motion_mm = [[s, dx, dy, dz], ...]
   std::optional<double> leaves_at;             // leaves_at_s: the tool is taken away at this time
+  double known_radius = 0.0;                   // known_radius_mm: with contact.curvature = known-radius
 };
 
 struct ContactScene {      // [contact]
   double tolerance = 0.0;  // tolerance_mm: a point closer than this touches; 0 = thickness / 1000
   double wall_stiffness =
       1.0;  // wall_stiffness: of the outer half of the wall, in 2 E / h per area; 0 = rigid
-  double stick_stiffness = 0.1;         // stick_stiffness: E_t = this * E / h per area (4.45)
-  double release_tolerance = 0.01;      // release_tolerance: tension against the fluid's share of the node
-  std::string curvature = "symmetric";  // curvature: none | symmetric (K_C)
+  double stick_stiffness = 0.1;            // stick_stiffness: E_t = this * E / h per area (4.45)
+  double release_tolerance = 0.01;         // release_tolerance: tension against the fluid's share of the node
+  std::string curvature = "symmetric";     // curvature: none | known-radius | symmetric | full (K_C)
+  std::string constraint = "elimination";  // constraint: elimination | penalty
+  double penalty = 1e40;                   // penalty_N_per_mm: alpha of (4.58)
+  std::string friction_law = "return-mapping";  // friction_law: return-mapping | one-step-behind | stick
+  std::string release = "full";                 // release: full | fluid | sign
 };
 
 struct IncrementScene {          // [increment]
@@ -139,10 +146,16 @@ struct IncrementScene {          // [increment]
   double max_slide = 1.0;        // max_slide: sliding in tool facets or sheet elements
   double max_penetration = 0.2;  // max_penetration: by which free nodes may overshoot a tool before the
                                  // corrector, of the thickness
-  std::vector<std::string> stop_at;  // stop_at: yield | release | slip: events that limit the increment (r1, r5, r6)
-  double cluster = 0.1;          // cluster: share by which such an event may be overrun, to take others along
-  double tolerance = 1e-3;       // tolerance: out-of-balance force against the reference force
-  int max_iterations = 20;       // max_iterations
+  std::vector<std::string>
+      stop_at;              // stop_at: yield | release | slip: events that limit the increment (r1, r5, r6)
+  double cluster = 0.1;     // cluster: share by which such an event may be overrun, to take others along
+  double tolerance = 1e-3;  // tolerance: out-of-balance force against the reference force
+  int max_iterations = 20;  // max_iterations
+  std::string correction = "newton";  // correction: newton | none | one-step-behind | algoneq
+  double r_safe = 2.0;                // r_safe: R_safe of one-step-behind (4.25)
+  int algoneq_passes = 1;             // algoneq_passes: solves with the out-of-balance force alone (4.27)
+  std::string control = "r_min";      // control: r_min | error
+  double error_tolerance = 1e-3;      // error_tolerance: of the embedded pair, against the displacement
 };
 
 struct LimitsScene {                 // [limits]

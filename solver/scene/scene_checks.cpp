@@ -8,6 +8,7 @@
 #include "solver/base/error.h"
 #include "solver/scene/key_suggestion.h"
 #include "solver/scene/number_text.h"
+#include "solver/scene/scene_choices.h"
 
 namespace hydroscope {
 namespace {
@@ -172,6 +173,12 @@ void check_tools(const GivenKeys& given, const Scene& scene) {
     const std::string path = "tool." + name;
     if (is_zero(tool.direction)) given.fail(path + ".direction", "[0, 0, 0] has no direction");
     check_tool_surface(given, path, tool);
+    const bool is_exact = tool.shape != "mesh" && tool.shape != "points";
+    if (scene.contact.curvature == "known-radius" && !is_exact && tool.known_radius <= 0.0) {
+      given.fail_at(path, "table [" + path +
+                              "]: key 'known_radius_mm' is missing; contact.curvature = \"known-radius\" "
+                              "needs it for a tool from a file");
+    }
     if (tool.shape == "box" && tool.corner_radius > std::min(tool.half_width, tool.half_height)) {
       given.fail(path + ".corner_radius_mm", format_exact(tool.corner_radius) +
                                                  " is out of range; allowed: 0 to " +
@@ -307,6 +314,7 @@ void check_scene(Scene& scene, const GivenKeys& given) {
   check_quantity_circles(given, scene);
   check_stop(given, scene);
   check_increment(given, scene);
+  choose_explicit_limits(given, scene);
 }
 
 void check_scene_files(const Scene& scene, const GivenKeys& given) {

@@ -217,6 +217,12 @@ SceneTable make_shell() {
                                            "Stress through the wall in the yield function: none, or the mean "
                                            "of the pressures on the two faces.")
                   .one_of({"off", "mean"}),
+              key<&T::director_stiffness>("director_stiffness", "",
+                                          "Whether the tangent holds the second variation of the fibre that "
+                                          "carries a moment (mechanics of large bending)."),
+              key<&T::curvature_terms>("curvature_terms", "",
+                                       "Whether a layer's metric is of second order in its distance from "
+                                       "the mid-surface; false leaves out what curvature squares."),
           }};
 }
 
@@ -385,6 +391,11 @@ SceneTable make_tool() {
           key<&T::motion>("motion_mm", "mm", "Motion: rows of time in s and displacement along x, y and z.")
               .in(-1e5, 1e5),
           key<&T::leaves_at>("leaves_at_s", "s", "Time at which the tool is taken away.").in(0, kMany),
+          key<&T::known_radius>("known_radius_mm", "mm",
+                                "Radius of the tool where it is curved, for `curvature = \"known-radius\"`; "
+                                "exact surfaces know theirs.")
+              .in(0.01, 1e6)
+              .when("shape", from_file),
       }};
 }
 
@@ -409,8 +420,28 @@ SceneTable make_contact() {
           key<&T::release_tolerance>("release_tolerance", "",
                                      "Pull at which a node is let go, against the fluid's share of the node.")
               .in(0, 1),
-          key<&T::curvature>("curvature", "", "How the tangent knows the turning normal, (4.28)-(4.44).")
-              .one_of({"none", "symmetric"}),
+          key<&T::curvature>("curvature", "",
+                             "How the tangent knows the turning normal: not at all, by radii that are known "
+                             "(4.11)-(4.22), by the symmetric part of K_C, or by all of it, which takes an "
+                             "unsymmetric solver (4.28)-(4.44).")
+              .one_of({"none", "known-radius", "symmetric", "full"}),
+          key<&T::constraint>("constraint", "",
+                              "How prescribed displacements enter: wiped rows and columns, or a penalty on "
+                              "the diagonal (4.58)-(4.62). Contact counts among them where `wall_stiffness` "
+                              "is 0.")
+              .one_of({"elimination", "penalty"}),
+          key<&T::penalty>("penalty_N_per_mm", "N_per_mm", "The penalty alpha of (4.58).")
+              .in(1.0, 1e60)
+              .when("constraint", {"penalty"}),
+          key<&T::friction_law>("friction_law", "",
+                                "Coulomb friction by return mapping within the increment, one step behind "
+                                "(4.47)-(4.49), or pseudo-stick alone (4.45), which never slips.")
+              .one_of({"return-mapping", "one-step-behind", "stick"}),
+          key<&T::release>("release", "",
+                           "When a node lets go: by thresholds, patches and verification; by the sign of its "
+                           "normal force with the fluid subtracted; or by the sign of its internal force, as "
+                           "in sheet stamping.")
+              .one_of({"full", "fluid", "sign"}),
       }};
 }
 
@@ -428,16 +459,21 @@ SceneTable make_increment() {
               "Floor, a fraction of the whole time; the run ends when it would have to go below.")
               .in(1e-12, 1),
           key<&T::largest>("largest", "", "Ceiling, a fraction of the whole time.").in(1e-9, 1),
-          key<&T::max_strain>("max_strain", "", "Largest strain in one increment.").in(1e-6, 1),
-          key<&T::max_rotation>("max_rotation_deg", "deg", "Largest rotation in one increment.").in(1e-3, 90),
+          key<&T::max_strain>("max_strain", "", "Largest strain in one increment (r2); 0: no limit.")
+              .in(0, 1),
+          key<&T::max_rotation>("max_rotation_deg", "deg",
+                                "Largest rotation in one increment (r3); 0: no limit.")
+              .in(0, 90),
           key<&T::max_slide>(
               "max_slide", "",
-              "Largest sliding in one increment, in tool facets or sheet elements, whichever is smaller.")
-              .in(1e-3, 100),
+              "Largest sliding in one increment, in tool facets or sheet elements, whichever is smaller; "
+              "0: no limit.")
+              .in(0, 100),
           key<&T::max_penetration>(
               "max_penetration", "",
-              "How far free nodes may overshoot a tool before the corrector, against the thickness.")
-              .in(0, 10),
+              "How far free nodes may overshoot a tool before the corrector, against the thickness (r4); a "
+              "large number: no limit.")
+              .in(0, 1e6),
           key<&T::stop_at>(
               "stop_at", "",
               "Events at which an increment ends: a point begins to yield (r1), a contact lets go (r5), a "
@@ -453,6 +489,29 @@ SceneTable make_increment() {
           key<&T::max_iterations>("max_iterations", "",
                                   "Corrector passes before the increment is tried again smaller.")
               .in(1, 1000),
+          key<&T::correction>(
+              "correction", "",
+              "What becomes of out-of-balance forces: iterated away (`newton`), left (`none`), "
+              "added to the next increment (4.23)-(4.26), or solved for once more (4.27). All but `newton` "
+              "draw the limits tight unless they are given: max_strain 0.003, max_rotation_deg 1, "
+              "max_penetration 0.01, stop_at all three.")
+              .one_of({"newton", "none", "one-step-behind", "algoneq"}),
+          key<&T::r_safe>("r_safe", "",
+                          "R_safe of (4.25): the out-of-balance force is divided by it before it is added.")
+              .in(0.1, 1e6)
+              .when("correction", {"one-step-behind"}),
+          key<&T::algoneq_passes>("algoneq_passes", "", "Solves with the out-of-balance force alone (4.27).")
+              .in(1, 20)
+              .when("correction", {"algoneq"}),
+          key<&T::control>("control", "",
+                           "What sets the increment's size: the limits above (r_min), or besides an estimate "
+                           "of its error by an embedded pair (Abbo & Sloan 1996).")
+              .one_of({"r_min", "error"}),
+          key<&T::error_tolerance>("error_tolerance", "",
+                                   "Error of an increment's displacements against the largest displacement, "
+                                   "or the thickness while that is larger.")
+              .in(1e-9, 1)
+              .when("control", {"error"}),
       }};
 }
 

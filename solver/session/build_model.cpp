@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 #include <map>
 #include <numbers>
 #include <set>
+#include <utility>
 
 #include "solver/base/error.h"
 #include "solver/geometry/sheet_mesh.h"
@@ -181,6 +183,7 @@ Tool make_tool(const ToolScene& t, const std::string& name, const Scene& scene, 
   tool.friction = t.friction;
   tool.side = t.face == "inner" ? -1.0 : 1.0;
   if (t.leaves_at) tool.leaves_at = *t.leaves_at;
+  tool.known_radius = t.known_radius;
   return tool;
 }
 
@@ -201,6 +204,36 @@ double calc_extent(const Model& model) {
   return extent;
 }
 
+/// The value that belongs to a name; the scene reader has let no other through.
+template <class Value>
+Value pick(const std::string& name, std::initializer_list<std::pair<const char*, Value>> values) {
+  for (const auto& [key, value] : values) {
+    if (name == key) return value;
+  }
+  throw ContractError("no treatment is called '" + name + "'");
+}
+
+void set_treatments(const Scene& scene, Model& model) {
+  model.curvature = pick<Curvature>(scene.contact.curvature, {{"none", Curvature::kNone},
+                                                              {"known-radius", Curvature::kKnownRadius},
+                                                              {"symmetric", Curvature::kSymmetric},
+                                                              {"full", Curvature::kFull}});
+  model.friction_law =
+      pick<FrictionLaw>(scene.contact.friction_law, {{"return-mapping", FrictionLaw::kReturnMapping},
+                                                     {"one-step-behind", FrictionLaw::kOneStepBehind},
+                                                     {"stick", FrictionLaw::kStick}});
+  model.release = pick<ReleaseRule>(
+      scene.contact.release,
+      {{"full", ReleaseRule::kFull}, {"fluid", ReleaseRule::kFluid}, {"sign", ReleaseRule::kSign}});
+  model.correction =
+      pick<Correction>(scene.increment.correction, {{"newton", Correction::kNewton},
+                                                    {"none", Correction::kNone},
+                                                    {"one-step-behind", Correction::kOneStepBehind},
+                                                    {"algoneq", Correction::kAlgoneq}});
+  model.use_penalty = scene.contact.constraint == "penalty";
+  model.controls_error = scene.increment.control == "error";
+}
+
 }  // namespace
 
 Model build_model(const Scene& scene) {
@@ -209,6 +242,8 @@ Model build_model(const Scene& scene) {
   model.thickness = sheet_thickness(scene);
   model.law = {SheetLaw(make_material(scene.material)),
                make_thickness_rule(scene.shell.thickness_rule, scene.shell.thickness_points)};
+  model.law.director_stiffness = scene.shell.director_stiffness;
+  model.law.curvature_terms = scene.shell.curvature_terms;
   model.use_volume_control = scene.load.control == "volume";
   model.use_inner_surface = scene.load.pressure_surface == "inner";
   model.use_load_stiffness = scene.load.load_stiffness;
@@ -218,6 +253,7 @@ Model build_model(const Scene& scene) {
   model.feed = scene.load.axial_feed;
   model.contact = scene.contact;
   model.increment = scene.increment;
+  set_treatments(scene, model);
   model.limits = scene.limits;
   model.stop = scene.stop;
   model.end_time = scene.end_time();

@@ -8,6 +8,7 @@
 #include "solver/increment/contact_step.h"
 #include "solver/increment/evaluate.h"
 #include "solver/increment/measures.h"
+#include "solver/increment/release.h"
 
 namespace hydroscope {
 

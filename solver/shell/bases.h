@@ -25,10 +25,12 @@ inline Bases calc_bases(const ElementNodes& nodes, const ShapeFunctions& s) {
 
 /// Metric of a layer as a polynomial in zeta.
 struct MetricPolynomial {
-  explicit MetricPolynomial(const Bases& b)
+  explicit MetricPolynomial(const Bases& b, bool is_quadratic = true)
       : c0{b.g1.dot(b.g1), b.g2.dot(b.g2), b.g1.dot(b.g2)},
         c1{2.0 * b.g1.dot(b.d1), 2.0 * b.g2.dot(b.d2), b.g1.dot(b.d2) + b.g2.dot(b.d1)},
-        c2{b.d1.dot(b.d1), b.d2.dot(b.d2), b.d1.dot(b.d2)} {}
+        c2{b.d1.dot(b.d1), b.d2.dot(b.d2), b.d1.dot(b.d2)} {
+    if (!is_quadratic) c2 = {0.0, 0.0, 0.0};
+  }
   Metric operator()(double z) const {
     return {c0.a11 + z * (c1.a11 + z * c2.a11), c0.a22 + z * (c1.a22 + z * c2.a22),
             c0.a12 + z * (c1.a12 + z * c2.a12)};

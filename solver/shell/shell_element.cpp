@@ -61,6 +61,11 @@ Section integrate_section(const ShellLaw& law, const MetricPolynomial& start, co
           moments[i + j];
     }
   }
+  if (!law.curvature_terms) {  // nothing turns with the third coefficient of the metric
+    section.stress.tail<3>().setZero();
+    section.tangent.rightCols<3>().setZero();
+    section.tangent.bottomRows<3>().setZero();
+  }
   return section;
 }
 
@@ -184,7 +189,8 @@ ElementResponse evaluate_element(const ShellLaw& law, const ElementNodes& start,
   for (std::size_t i = 0; i < kGaussPoints; ++i) {
     const ShapeFunctions& s = gauss_shapes()[i];
     const Bases bases = calc_bases(end, s);
-    const MetricPolynomial metric_start(calc_bases(start, s)), metric_end(bases);
+    const MetricPolynomial metric_start(calc_bases(start, s), law.curvature_terms),
+        metric_end(bases, law.curvature_terms);
     GaussState& gauss = out.gauss[i] = state.gauss[i];
     const double volume = gauss.volume * gauss.dilatation;
     const double s33 = interpolate(settings.sigma33.end, s);
@@ -222,7 +228,7 @@ ElementResponse evaluate_element(const ShellLaw& law, const ElementNodes& start,
     const auto at = static_cast<Eigen::Index>(5 * a);
     response.force.segment<3>(at) = force[a];
     response.force.segment<2>(at + 3) = w[a].transpose() * fibre_force[a];
-    if (stiffness != nullptr) {  // second variation of the director: -(d alpha^2 + d beta^2) V
+    if (stiffness != nullptr && law.director_stiffness) {  // second variation: -(d alpha^2 + d beta^2) V
       const double turn = 0.5 * end.thickness[a] * fibre_force[a].dot(end.triad[a].v);
       stiffness->block<2, 2>(at + 3, at + 3).diagonal().array() -= turn;
     }

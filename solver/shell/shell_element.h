@@ -61,6 +61,8 @@ struct ShellLaw {
   SheetLaw sheet;
   ThicknessRule rule;
   double shear_correction = 5.0 / 6.0;
+  bool director_stiffness = true;  ///< the tangent holds the second variation of the fibre (mechanics 1.4)
+  bool curvature_terms = true;     ///< the metric is quadratic in zeta; false: linear
 };
 
 /// Stress through the wall at the four nodes of an element: sigma33 at the

@@ -89,4 +89,14 @@ void BlockMatrix::eliminate(const std::vector<char>& is_held, double diagonal,
   }
 }
 
+void BlockMatrix::penalise(const std::vector<char>& is_held, double penalty,
+                           std::vector<double>& values) const {
+  values = values_;
+  for (int j = 0; j < size(); ++j) {
+    if (is_held[static_cast<std::size_t>(j)] == 0) continue;
+    // The node's diagonal block stands first in the column.
+    values[static_cast<std::size_t>(column_starts_[static_cast<std::size_t>(j)] + j % kDofs)] += penalty;
+  }
+}
+
 }  // namespace hydroscope

@@ -39,6 +39,9 @@ class BlockMatrix {
   /// by elimination.
   void eliminate(const std::vector<char>& is_held, double diagonal, std::vector<double>& values) const;
 
+  /// Copy of the values with `penalty` added on the diagonal of the held degrees of freedom (4.59).
+  void penalise(const std::vector<char>& is_held, double penalty, std::vector<double>& values) const;
+
  private:
   struct Contribution {
     int element, row, column;  ///< local nodes of the element

@@ -9,6 +9,7 @@
 #include <cstring>
 
 #include "solver/base/error.h"
+#include "solver/system/unsymmetric_solver.h"
 
 extern "C" void openblas_set_num_threads(int);
 
@@ -53,9 +54,14 @@ struct LinearSolver::Impl {
   }
 };
 
-LinearSolver::LinearSolver(const BlockMatrix& pattern) : impl_(std::make_unique<Impl>()) {
+LinearSolver::LinearSolver(const BlockMatrix& pattern, bool is_unsymmetric)
+    : impl_(std::make_unique<Impl>()) {
   Impl& s = *impl_;
   cholmod_start(&s.common);
+  if (is_unsymmetric) {
+    unsymmetric_ = std::make_unique<UnsymmetricSolver>(pattern);
+    return;
+  }
   s.common.print = 0;
   s.common.quick_return_if_not_posdef = 1;
   s.starts = pattern.column_starts();
@@ -80,6 +86,7 @@ LinearSolver::LinearSolver(const BlockMatrix& pattern) : impl_(std::make_unique<
 LinearSolver::~LinearSolver() = default;
 
 Factorisation LinearSolver::factorise(const std::vector<double>& values) {
+  if (unsymmetric_) return unsymmetric_->factorise(values);
   Impl& s = *impl_;
   s.values = values;
   s.matrix.x = s.values.data();
@@ -101,6 +108,7 @@ Factorisation LinearSolver::factorise(const std::vector<double>& values) {
 }
 
 Vector LinearSolver::solve(const Vector& rhs) const {
+  if (unsymmetric_) return unsymmetric_->solve(rhs);
   Impl& s = *impl_;
   Vector copy = rhs;
   cholmod_dense b{};
@@ -116,7 +124,9 @@ Vector LinearSolver::solve(const Vector& rhs) const {
   return result;
 }
 
-double LinearSolver::factor_entries() const { return static_cast<double>(impl_->supernodal->xsize); }
+double LinearSolver::factor_entries() const {
+  return unsymmetric_ ? unsymmetric_->factor_entries() : static_cast<double>(impl_->supernodal->xsize);
+}
 
 void fix_blas_threads(int threads) {
   openblas_set_num_threads(threads);

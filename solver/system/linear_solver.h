@@ -7,6 +7,8 @@
 
 namespace hydroscope {
 
+class UnsymmetricSolver;
+
 /// Result of a numeric factorisation.
 struct Factorisation {
   bool is_usable = false;       ///< false: exactly singular
@@ -19,9 +21,12 @@ struct Factorisation {
 /// L L^T while the matrix is positive definite; when that stops at a pivot <= 0,
 /// simplicial L D L^T of the same matrix, whose signs are counted. CHOLMOD
 /// (Chen, Davis, Hager & Rajamanickam 2008) behind one class.
+///
+/// With `is_unsymmetric` the diagonal node blocks count whole (K_C is unsymmetric), and UMFPACK (Davis
+/// 2004) factorises; of the signs of its pivots only their product is known.
 class LinearSolver {
  public:
-  explicit LinearSolver(const BlockMatrix& pattern);
+  explicit LinearSolver(const BlockMatrix& pattern, bool is_unsymmetric = false);
   ~LinearSolver();
   LinearSolver(const LinearSolver&) = delete;
   LinearSolver& operator=(const LinearSolver&) = delete;
@@ -32,10 +37,12 @@ class LinearSolver {
   Vector solve(const Vector& rhs) const;
   /// Entries of the supernodal factor.
   double factor_entries() const;
+  bool is_unsymmetric() const { return unsymmetric_ != nullptr; }
 
  private:
   struct Impl;
   std::unique_ptr<Impl> impl_;
+  std::unique_ptr<UnsymmetricSolver> unsymmetric_;
 };
 
 /// BLAS threads are fixed for the whole program, whatever --threads says, so

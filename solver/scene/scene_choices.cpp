@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solver/scene/scene_choices.h"
+
+namespace hydroscope {
+
+void choose_explicit_limits(const GivenKeys& given, Scene& scene) {
+  IncrementScene& increment = scene.increment;
+  if (increment.correction == "newton") return;
+  if (!given.has("increment.max_strain")) increment.max_strain = 0.003;
+  if (!given.has("increment.max_rotation_deg")) increment.max_rotation = 1.0;
+  if (!given.has("increment.max_penetration")) increment.max_penetration = 0.01;
+  if (!given.has("increment.stop_at")) increment.stop_at = {"yield", "release", "slip"};
+}
+
+}  // namespace hydroscope

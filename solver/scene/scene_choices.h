@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "solver/scene/scene.h"
+#include "solver/scene/scene_checks.h"
+
+namespace hydroscope {
+
+/// Settings that follow from others where the user has left them open.
+///
+/// A forward step is only as good as its linearisation: without an iterating corrector the limits of r_min
+/// are drawn tight, and increments end where a point yields, a contact lets go or begins to slip.
+void choose_explicit_limits(const GivenKeys& given, Scene& scene);
+
+}  // namespace hydroscope
