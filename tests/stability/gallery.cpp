@@ -29,6 +29,13 @@ std::vector<double> calc_face_radii(const Snapshot& state, double side) {
   return radii;
 }
 
+double calc_median_residual(const History& history) {
+  std::vector<double> values;
+  for (const IncrementReport& row : history.rows) values.push_back(row.residual);
+  std::sort(values.begin(), values.end());
+  return values.empty() ? 0.0 : values[values.size() / 2];
+}
+
 int count_events(const History& history, EventKind kind, const std::string& cause) {
   int count = 0;
   for (const IncrementReport& row : history.rows) {

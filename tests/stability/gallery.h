@@ -26,6 +26,8 @@ Range calc_range(const History& history, const std::string& quantity, double fro
 /// Distance of a face of the wall from the z axis at each node [mm].
 std::vector<double> calc_face_radii(const Snapshot& state, double side);
 
+double calc_median_residual(const History& history);
+
 /// Events of a kind over the whole run; of one cause, if given.
 int count_events(const History& history, EventKind kind, const std::string& cause = "");
 

@@ -30,7 +30,7 @@ double calc_deepest_valley(const Snapshot& state, double reach) {
   return deepest;
 }
 
-// The same feed of 6 mm. At 2 MPa, a fifth of what makes the wall yield, it folds near the clamped end; at
+// The same feed of 6 mm. At 2 MPa, a quarter of what makes the wall yield, it folds near the clamped end; at
 // 8 to 12 MPa the wall lies against its die and the feed becomes thickness.
 TEST(StabilityWrinkling, FeedWithoutPressureFolds) {
   const History naive =
