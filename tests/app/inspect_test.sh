@@ -29,7 +29,7 @@ expect 0 completed "$program" run scenes/circular-die.toml -o "$run" --no-frames
 # On unloading the whole wall lets go at once, and for good: no node before the others, none back.
 expect 0 "92 detachments in 1 patch: 92 physical, 0 noise, 0 chatter; 0 came back" "$program" inspect "$run"
 grep -q "unloading: the fluid went from 17.* to 16.* MPa" "$work/out" || fail "no reason for the patch"
-expect 0 "causes: tension 92" "$program" inspect "$run"
+expect 0 "causes: unloading 92" "$program" inspect "$run"
 expect 0 '"detachments": 92' "$program" inspect "$run" --json
 expect 0 "node,tool,patch," "$program" inspect "$run" --csv
 [ "$(wc -l <"$work/out")" -eq 93 ] || fail "CSV: a head and 92 lines expected"

@@ -21,7 +21,7 @@ using testing::StartsWith;
 constexpr const char* kHistoryHead =
     "increment,time_s,pressure_MPa,feed_mm,step_fraction,limited_by,limited_at,n_contact,n_stick,n_slip,n_"
     "detached,"
-    "residual,thickness_min_mm,thickness_max_mm,q.r45_mm,q.t_mm\n";
+    "residual,tangential_rest,iterations,factorisations,thickness_min_mm,thickness_max_mm,q.r45_mm,q.t_mm\n";
 
 class RecordRun : public testing::Test {
  protected:
@@ -71,12 +71,13 @@ TEST_F(RecordRun, WritesEverything) {
   EXPECT_EQ(std::count(history.begin(), history.end(), '\n'), 6);
   EXPECT_THAT(history,
               HasSubstr("\n1,0.1,0.3333333333333333,0,0.75," + std::string(to_string(Limiter::kTouch)) +
-                        ",12,3,2,1,0,1.25e-05,1.25,1.5,0.14285714285714285,1.25\n"));
+                        ",12,3,2,1,0,1.25e-05,0.0625,4,3,1.25,1.5,0.14285714285714285,1.25\n"));
   EXPECT_EQ(
       read("events.csv"),
-      "increment,time_s,kind,node,x_mm,y_mm,z_mm,tool,cause,force_before_N,force_after_N,gap_mm\n2,0.2," +
+      "increment,time_s,kind,node,x_mm,y_mm,z_mm,tool,cause,force_before_N,force_after_N,gap_mm,"
+      "patch_pressure_MPa,threshold_N\n2,0.2," +
           std::string(to_string(EventKind::kDetach)) +
-          ",7,1,2.5,-3,die,\"tension, in a group\",12.5,0,0.125\n");
+          ",7,1,2.5,-3,die,\"tension, in a group\",12.5,-0.75,0.125,-0.5,0.25\n");
   EXPECT_EQ(read("scene.toml"), "title = \"a\"\n");
   EXPECT_EQ(read("overrides.txt"), "tool.die.friction=0.1\n");
   EXPECT_EQ(read("tools/die.txt"), "fine\n");

@@ -72,6 +72,9 @@ inline IncrementReport make_report(int increment) {
   r.n_stick = 2;
   r.n_slip = 1;
   r.residual = 1.25e-5;
+  r.tangential_rest = 0.0625;
+  r.iterations = 4;
+  r.factorisations = 3;
   r.thickness_min = 1.25;
   r.thickness_max = 1.5;
   r.quantities = {1.0 / 7.0, 1.25};
@@ -88,6 +91,9 @@ inline ContactEvent make_event(int increment, const char* cause) {
   event.tool = 0;
   event.cause = cause;
   event.force_before = 12.5;
+  event.force_after = -0.75;
+  event.patch_pressure = -0.5;
+  event.threshold = 0.25;
   event.gap = 0.125;
   return event;
 }

@@ -144,5 +144,13 @@ sed 's/max_strain/max_strian/' "$work/study.toml" >"$work/wrong.toml"
 expect 2 "wrong.toml:11: increment.max_strian = 0.005" "$program" chart "$work/wrong.toml" -o "$work/never"
 [ ! -e "$work/never" ] || fail "a folder was made for a wrong study"
 
+# The shipped studies: every run's scene is read and checked. Each axis has its treatments.
+for study in methods methods-3d; do
+  expect 0 "[reference]" "$program" chart "scenes/studies/$study.toml" --list
+  for key in 'curvature="none"' 'curvature="full"' 'correction="one-step-behind"' 'correction="algoneq"'; do
+    grep -qF "$key" "$work/out" || fail "$study has no $key"
+  done
+done
+
 [ "$failures" -eq 0 ] && echo "all as expected"
 exit "$failures"

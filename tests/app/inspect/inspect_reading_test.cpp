@@ -62,7 +62,7 @@ TEST(InspectReading, EventsThatCannotBe) {
   EXPECT_EQ(
       error(make_event_line(3, "detatch", 2)),
       "events.csv:2: 'detatch' is no kind of event; did you mean 'detach'? (touch, stick, slip, detach, "
-      "retouch)");
+      "retouch, taken-back)");
   EXPECT_EQ(error(touch + "4,0.4,slip,12,0,0,0,die,x,0,0,0\n"),
             "events.csv:3: node 12: the sheet has nodes 0 to 11");
   EXPECT_EQ(error(touch + make_event_line(4, "slip", 2, "dye,x,0,0,0")),
