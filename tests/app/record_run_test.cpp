@@ -72,12 +72,11 @@ TEST_F(RecordRun, WritesEverything) {
   EXPECT_THAT(history,
               HasSubstr("\n1,0.1,0.3333333333333333,0,0.75," + std::string(to_string(Limiter::kTouch)) +
                         ",12,3,2,1,0,1.25e-05,0.0625,4,3,1.25,1.5,0.14285714285714285,1.25\n"));
-  EXPECT_EQ(
-      read("events.csv"),
-      "increment,time_s,kind,node,x_mm,y_mm,z_mm,tool,cause,force_before_N,force_after_N,gap_mm,"
-      "patch_pressure_MPa,threshold_N\n2,0.2," +
-          std::string(to_string(EventKind::kDetach)) +
-          ",7,1,2.5,-3,die,\"tension, in a group\",12.5,-0.75,0.125,-0.5,0.25\n");
+  EXPECT_EQ(read("events.csv"),
+            "increment,time_s,kind,node,x_mm,y_mm,z_mm,tool,cause,force_before_N,force_after_N,gap_mm,"
+            "patch_pressure_MPa,threshold_N\n2,0.2," +
+                std::string(to_string(EventKind::kDetach)) +
+                ",7,1,2.5,-3,die,\"tension, in a group\",12.5,-0.75,0.125,-0.5,0.25\n");
   EXPECT_EQ(read("scene.toml"), "title = \"a\"\n");
   EXPECT_EQ(read("overrides.txt"), "tool.die.friction=0.1\n");
   EXPECT_EQ(read("tools/die.txt"), "fine\n");
