@@ -96,29 +96,50 @@ bool is_pressure_maximum(const Model& model, const State& state, Scratch& scratc
   return attempt.end == Attempt::End::kConverged && attempt.loads.pressure < state.pressure;
 }
 
-/// An increment that stretches a free wall far for little pressure may have jumped over a pressure maximum,
-/// on to the die for example. The pressure of a free bulge is concave over its volume: half way it has made
-/// more than half of its gain. Where it has not, it had stopped rising before the die took over.
-bool has_jumped(const Model& model, const State& state, const Attempt& attempt, Scratch& scratch) {
-  constexpr double kSteep = 8.0;  // strain for relative pressure; near 1 on the way to a maximum
-  if (model.use_volume_control || state.pressure <= 0.0) return false;
-  for (const auto& contacts : state.contacts) {
+constexpr int kShorterFirst = 3;       // tries at an increment before it gets more passes
+constexpr double kNearMaximum = 5e-4;  // of the pressure: how close a maximum is approached
+
+bool touches(const std::vector<std::vector<ContactPoint>>& tools) {
+  for (const auto& contacts : tools) {
     for (const ContactPoint& c : contacts) {
-      if (c.is_active()) return false;
+      if (c.is_active()) return true;
     }
   }
+  return false;
+}
+
+/// An increment that blows a free wall far up for little pressure may have jumped over a pressure maximum, on
+/// to the die for example. Then the pressure falls on the way before the wall touches: volume control goes
+/// there, in quarters and then by halves towards the touch.
+bool has_jumped(const Model& model, const State& state, const Attempt& attempt, Scratch& scratch) {
+  constexpr double kSteep = 0.2;  // relative pressure for relative volume; above 1 far from a maximum
+  constexpr double kFall = 1e-5;  // what is left out of balance counts for less
+  constexpr int kLooks = 7;
+  if (model.use_volume_control || state.pressure <= 0.0 || touches(state.contacts)) return false;
   const double rise = (attempt.loads.pressure - state.pressure) / state.pressure;
-  if (rise <= 0.0 || scratch.trial.strain_increment < std::max(0.005, kSteep * rise)) return false;
+  if (rise <= 0.0 || rise > kSteep * (attempt.volume - state.volume) / state.volume) return false;
   Target target;
   target.time = state.time;
   target.use_volume = true;
-  target.volume = 0.5 * (state.volume + attempt.volume);
+  target.tightness = 0.001;  // the pressure's changes are small
   const Trial kept = scratch.trial;
-  const Attempt half = try_increment(model, state, target, scratch);
+  double low = 0.0, high = 1.0, highest = 0.0;
+  bool falls = false;
+  for (int look = 0; look < kLooks && !falls; ++look) {
+    const double share = look < 3 ? 0.25 * (look + 1) : 0.5 * (low + high);
+    if (share >= high) continue;
+    target.volume = state.volume + share * (attempt.volume - state.volume);
+    const Attempt part = try_increment(model, state, target, scratch);
+    if (part.end != Attempt::End::kConverged || touches(scratch.trial.contacts)) {
+      high = share;
+      continue;
+    }
+    falls = part.loads.pressure < (1.0 - kFall) * highest;
+    low = share;
+    highest = std::max(highest, part.loads.pressure);
+  }
   scratch.trial = kept;
-  constexpr double kGain = 0.35;
-  const double gain = half.loads.pressure - state.pressure, whole = attempt.loads.pressure - state.pressure;
-  return half.end == Attempt::End::kConverged && (gain > whole || gain < kGain * whole);
+  return falls;
 }
 
 void end_run(IncrementReport& report, Outcome outcome, const std::string& message) {
@@ -172,6 +193,8 @@ IncrementReport advance(const Model& model, State& state, Scratch& scratch) {
     // The coupling of friction with the normal force is not in the tangent: where it keeps the corrector from
     // settling, the bounds stay behind by one correction.
     target.renews_friction = tries == 0;
+    // Where shorter increments do not help, more passes do.
+    target.patience = tries < kShorterFirst ? 1 : 3;
     const double tried = target.time - state.time;
     const Attempt attempt = try_increment(model, state, target, scratch);
     if (attempt.end == Attempt::End::kConverged) {
@@ -187,6 +210,10 @@ IncrementReport advance(const Model& model, State& state, Scratch& scratch) {
         continue;
       }
       if (has_jumped(model, state, attempt, scratch)) {
+        if (attempt.loads.pressure - state.pressure > kNearMaximum * state.pressure && done > 2.0 * floor) {
+          dt = 0.35 * done;  // closer to the maximum first
+          continue;
+        }
         report.factorisations = scratch.factorisations - factorisations_before;
         end_at_maximum(report, state);
         return report;
@@ -212,7 +239,8 @@ IncrementReport advance(const Model& model, State& state, Scratch& scratch) {
     }
     dt = 0.35 * std::min(dt, attempt.limit.fraction < 1.0 ? attempt.limit.fraction * tried : tried);
     // The predictor's matrix is that of the pressure aimed at: only close by does it speak for the state.
-    const bool is_near = std::abs(target.pressure - state.pressure) <= 0.005 * std::abs(state.pressure);
+    const bool is_near =
+        std::abs(target.pressure - state.pressure) <= kNearMaximum * std::abs(state.pressure);
     const bool is_final =
         (attempt.end == Attempt::End::kUnstable && is_near) || attempt.end == Attempt::End::kSingular;
     if (is_final || dt < floor) {

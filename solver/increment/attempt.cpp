@@ -42,7 +42,7 @@ class Corrector : private Predictor {
   Attempt run() {
     for (const Tool& tool : model_.tools) has_friction_ = has_friction_ || tool.friction > 0.0;
     if (!predict()) return attempt_;
-    for (int k = 1; k <= model_.increment.max_iterations; ++k) {
+    for (int k = 1; k <= target_.patience * model_.increment.max_iterations; ++k) {
       attempt_.iterations = k;
       if (k > 1) search_along();
       if (is_done()) return attempt_;
@@ -100,7 +100,7 @@ class Corrector : private Predictor {
   /// A free wall near its pressure maximum stretches far for little pressure: there the rest must be
   /// small against the step in pressure, or the maximum would be run past.
   double calc_tolerance() const {
-    const double tolerance = model_.increment.tolerance;
+    const double tolerance = target_.tightness * model_.increment.tolerance;
     if (target_.use_volume || touches_ || state_.pressure == 0.0) return tolerance;
     const double step = std::abs(attempt_.loads.pressure - state_.pressure) / std::abs(state_.pressure);
     return std::clamp(0.01 * step, 0.01 * tolerance, tolerance);

@@ -12,6 +12,8 @@ struct Target {
   double pressure = 0.0;        ///< [MPa] at the end (pressure control) or first guess
   double volume = 0.0;          ///< [mm^3] at the end (volume control)
   bool renews_friction = true;  ///< bounds of friction are brought up to the normal forces in the end
+  int patience = 1;             ///< as many times the passes that are allowed
+  double tightness = 1.0;       ///< share of the tolerance that is allowed
   bool is_turning = false;      ///< a path has just had a corner: points need not flow on
 };
 
