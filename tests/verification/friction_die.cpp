@@ -57,8 +57,7 @@ FrictionCase make_friction_case(const std::string& material, double friction, in
   if (material != "M1") return c;
   c.metal = kM1;
   c.last_rho = 1.01 * FrictionWall(kM1, {kR0, kT0, friction}, 9.0, 200, 400).last_radius();
-  c.settings = {"load.control=volume", "load.volume_ratio=[[0, 1], [1, 1.25]]",
-                "increment.max_iterations=60"};
+  c.settings = {"load.control=volume", "load.volume_ratio=[[0, 1], [1, 1.25]]"};
   return c;
 }
 
