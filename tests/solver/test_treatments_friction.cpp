@@ -218,6 +218,25 @@ TEST(FrictionTreatment, OneStepBehindLags) {
   EXPECT_NEAR(at(rows, 8.0).force, -kMu * at(rows, 8.0).normal, 1e-9);
 }
 
+/// (4.48) has the sign of (4.24): what the circle takes off a force against the motion is left as a force
+/// along it. Everything else is solved for in explicit steps.
+TEST(FrictionTreatment, WhatIsTakenOffPushesAlongTheMotion) {
+  const Model model =
+      test::make_model(kStripScene, {"contact.friction_law=one-step-behind", "increment.correction=algoneq",
+                                     "increment.algoneq_passes=5", "increment.stop_at=[]"});
+  State state = make_initial_state(model);
+  Scratch scratch(model, 1);
+  double pushes = 0.0;
+  while (state.time < 2.0 * (1.0 - 1e-12)) {
+    ASSERT_EQ(advance(model, state, scratch).outcome, Outcome::kRunning);
+    if (state.time <= 1.5) continue;
+    double sum = 0.0;
+    for (const Eigen::Index i : {0, 1, 3, 4}) sum += state.unbalanced[kDofs * i];  // not the held end
+    if (std::abs(sum) > std::abs(pushes)) pushes = sum;
+  }
+  EXPECT_GT(pushes, 0.5);
+}
+
 /// Pseudo-stick alone: the force follows the sliding for ever, far over the circle.
 TEST(FrictionTreatment, StickNeverSlips) {
   const auto rows = pull("stick", 2.0);
