@@ -52,7 +52,8 @@ ContactEvent read_event(const CsvTable& table, std::size_t row, const LogBounds&
 /// Older runs have neither of the two columns, and no force of that moment.
 ReleaseNote read_note(const CsvTable& table, std::size_t row, const ContactEvent& event) {
   const auto pressure = table.find_column("patch_pressure_MPa"), threshold = table.find_column("threshold_N");
-  if (event.kind != EventKind::kDetach || !pressure || !threshold) return {};
+  const bool is_release = event.kind == EventKind::kDetach || event.kind == EventKind::kTakenBack;
+  if (!is_release || !pressure || !threshold) return {};
   return {event.force_after, table.number(row, *threshold), table.number(row, *pressure)};
 }
 
@@ -65,7 +66,8 @@ const IncrementRow& ContactLog::row(int increment) const {
 }
 
 const std::vector<std::string>& event_kind_names() {
-  static const std::vector<std::string> kNames = {"touch", "stick", "slip", "detach", "retouch", "taken-back"};
+  static const std::vector<std::string> kNames = {"touch",  "stick",   "slip",
+                                                  "detach", "retouch", "taken-back"};
   return kNames;
 }
 

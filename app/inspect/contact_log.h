@@ -31,7 +31,7 @@ struct ReleaseNote {
 struct ContactLog {
   std::vector<ContactEvent> events;       ///< in order of increments
   std::vector<std::string> event_places;  ///< "events.csv:12" of each
-  std::vector<ReleaseNote> notes;         ///< of each; of lettings go only
+  std::vector<ReleaseNote> notes;         ///< of each; of lettings go, taken back or not
   std::map<int, IncrementRow> increments;
 
   /// The increment's row; one of zeros when there is none.

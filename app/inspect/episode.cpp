@@ -71,11 +71,38 @@ void measure_noise(const ContactEvent& event, const SheetHistory& sheet, const F
   const FacetNoise noise = model.tools[tool].estimate(
       event.position - translation, before->thickness[static_cast<std::size_t>(event.node)], model.modulus);
   f.facet_angle = noise.angle;
+  f.facet_sagitta = noise.sagitta;
   f.facet_noise = noise.pressure;
   if (f.fluid_share > 0.0) f.facet_noise_share = noise.pressure * f.area / f.fluid_share;
 }
 
+/// What its own tool and the others did in the increment.
+void measure_motion(const ContactLog& log, const ContactEvent& event, const SheetHistory& sheet,
+                    const std::vector<ToolMotion>& motions, ReleaseFigures& f) {
+  const auto here = log.increments.find(event.increment);
+  if (here == log.increments.begin() || motions.empty()) return;
+  const double before = std::prev(here)->second.time;
+  for (std::size_t t = 0; t < motions.size(); ++t) {
+    const Vec3 way = motions[t].at(event.time) - motions[t].at(before);
+    if (static_cast<int>(t) != event.tool) {
+      if (way.norm() > f.moving_way) f.moving_tool = motions[t].name;
+      f.moving_way = std::max(f.moving_way, way.norm());
+    } else if (const SheetState* state = sheet.find_before(event.increment)) {
+      const Vec3& normal = state->tool_normal[static_cast<std::size_t>(event.node)];
+      if (normal.norm() > 0.0) f.tool_retreat = -way.dot(normal);
+    }
+  }
+}
+
 }  // namespace
+
+std::string find_drive(const ReleaseFigures& f) {
+  if (f.tool_retreat > 0.0) return "tool withdrawn";
+  if (f.pressure < f.pressure_before) return "unloading";
+  if (f.tool_retreat < 0.0) return "tool comes on";
+  if (!f.moving_tool.empty()) return "tool moves";
+  return f.pressure > f.pressure_before ? "loading" : "steady";
+}
 
 const char* to_string(Verdict verdict) {
   switch (verdict) {
@@ -114,6 +141,7 @@ std::vector<Episode> make_episodes(const ContactLog& log) {
     if (is_touch) episode.touched = i;
     if (event.kind == EventKind::kDetach) episode.let_go = i;
     if (event.kind == EventKind::kStick || event.kind == EventKind::kSlip) episode.changes.push_back(i);
+    if (event.kind == EventKind::kTakenBack) episode.taken_back.push_back(i);
   }
   return episodes;
 }
@@ -129,7 +157,7 @@ int count_toggles(const std::vector<int>& toggles, int at) {
 }
 
 void measure_releases(const ContactLog& log, const SheetHistory& sheet, const FacetNoiseModel& noise,
-                      std::vector<Episode>& episodes) {
+                      const std::vector<ToolMotion>& motions, std::vector<Episode>& episodes) {
   const auto toggles = gather_toggles(log);
   for (Episode& episode : episodes) {
     if (!episode.let_go) continue;
@@ -139,6 +167,9 @@ void measure_releases(const ContactLog& log, const SheetHistory& sheet, const Fa
     measure_gap(event, back, sheet, episode.figures);
     episode.figures.release = log.notes[*episode.let_go];
     measure_noise(event, sheet, noise, episode.figures);
+    measure_motion(log, event, sheet, motions, episode.figures);
+    for (const std::size_t i : episode.taken_back)
+      if (event.increment - log.events[i].increment < kToggleWindow) ++episode.figures.taken_back;
     episode.figures.toggles = count_toggles(toggles.at({episode.node, episode.tool}), event.increment);
   }
 }

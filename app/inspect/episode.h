@@ -9,6 +9,7 @@
 #include "app/inspect/contact_log.h"
 #include "app/inspect/facet_noise.h"
 #include "app/inspect/sheet_history.h"
+#include "app/inspect/tool_motion.h"
 
 namespace hydroscope {
 
@@ -31,10 +32,16 @@ struct ReleaseFigures {
   double opening_speed = kUnknown;  ///< gap of the event over the increment's time [mm/s]
   double gap_growth = kUnknown;     ///< from the event to the first state after it, still free [mm/s]
   double facet_angle = kUnknown;    ///< between the tool's facets at the node [deg]
+  double facet_sagitta = kUnknown;  ///< of the tool's facets off the true surface [mm]
   double facet_noise = kUnknown;    ///< scatter of contact pressure by the tool's facets [MPa]
   double facet_noise_share = kUnknown;  ///< of the fluid's pressure: the same times A over the fluid share
   double patch_noise_share = kUnknown;  ///< root of the squares' sum over the patch, over its fluid share
   int toggles = 0;                      ///< lettings go and comings back in the fullest window that holds it
+  int taken_back = 0;  ///< releases taken back at once, within the window's increments before and after
+  double tool_retreat =
+      kUnknown;             ///< way of its tool off the sheet in this increment [mm]; negative: it came on
+  std::string moving_tool;  ///< another tool that moved most in this increment; empty: none
+  double moving_way = 0.0;  ///< by how much [mm]
 };
 
 /// Whether a letting go is one of the real wall.
@@ -45,11 +52,12 @@ const char* to_string(Verdict verdict);
 struct Episode {
   int node = -1;
   int tool = -1;
-  std::optional<std::size_t> touched;  ///< touch or retouch; none: in contact from the start
-  std::vector<std::size_t> changes;    ///< stick and slip
-  std::optional<std::size_t> let_go;   ///< none: still in contact at the end
-  std::optional<std::size_t> back;     ///< the next touch of the same node and tool
-  ReleaseFigures figures;              ///< of `let_go`
+  std::optional<std::size_t> touched;   ///< touch or retouch; none: in contact from the start
+  std::vector<std::size_t> changes;     ///< stick and slip
+  std::vector<std::size_t> taken_back;  ///< let go and pushed back within one increment
+  std::optional<std::size_t> let_go;    ///< none: still in contact at the end
+  std::optional<std::size_t> back;      ///< the next touch of the same node and tool
+  ReleaseFigures figures;               ///< of `let_go`
   Verdict verdict = Verdict::kPhysical;
   std::string reason;  ///< the verdict in words, with its figures
   int patch = -1;      ///< index into the patches; -1: has not let go
@@ -66,8 +74,12 @@ constexpr int kToggleWindow = 5;
 /// windows that hold `at`. `toggles`: increments of all of them, sorted.
 int count_toggles(const std::vector<int>& toggles, int at);
 
-/// Fills `figures` of all episodes that ended.
+/// Fills `figures` of all episodes that ended. `motions`: one a tool, or none.
 void measure_releases(const ContactLog& log, const SheetHistory& sheet, const FacetNoiseModel& noise,
-                      std::vector<Episode>& episodes);
+                      const std::vector<ToolMotion>& motions, std::vector<Episode>& episodes);
+
+/// What changed as it let go, the first of: "tool withdrawn", "unloading", "tool comes on", "tool moves"
+/// (another one), "loading", "steady".
+std::string find_drive(const ReleaseFigures& figures);
 
 }  // namespace hydroscope

@@ -68,14 +68,15 @@ std::size_t FacetTool::find_nearest(const Vec3& x) const {
 
 FacetNoise FacetTool::estimate(const Vec3& x, double thickness, double modulus) const {
   FacetNoise noise;
-  if (form_ == ToolForm::kExact) return {0.0, 0.0};
+  if (form_ == ToolForm::kExact) return {0.0, 0.0, 0.0};
   if (form_ == ToolForm::kOther || mesh_.triangles.empty()) return noise;
   const Bend& bend = bends_[find_nearest(x)];
   noise.angle = bend.angle / kDegree;
-  if (bend.angle == 0.0) return {0.0, 0.0};
+  if (bend.angle == 0.0) return {0.0, 0.0, 0.0};
   const double radius = bend.width / bend.angle, square = bend.angle * bend.angle;
   const double sagitta = form_ == ToolForm::kFlat ? square / 8.0 : square * square / 128.0;  // over R
   noise.pressure = modulus * thickness / radius * sagitta;
+  noise.sagitta = radius * sagitta;
   return noise;
 }
 

@@ -23,6 +23,7 @@ ToolForm find_tool_form(const std::string& shape, const std::string& surface);
 struct FacetNoise {
   double angle = std::numeric_limits<double>::quiet_NaN();     ///< between neighbouring facets there [deg]
   double pressure = std::numeric_limits<double>::quiet_NaN();  ///< [MPa]
+  double sagitta = std::numeric_limits<double>::quiet_NaN();   ///< of the facets off the true surface [mm]
 };
 
 /// One tool's facets. A wall of thickness t that is pressed on them is off the true surface by

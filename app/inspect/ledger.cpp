@@ -44,6 +44,16 @@ FacetNoiseModel make_noise_model(const Scene& scene, const SnapshotModel& model)
   return noise;
 }
 
+std::vector<ToolMotion> gather_motions(const Scene& scene, const SnapshotModel& model) {
+  std::vector<ToolMotion> motions;
+  for (const SnapshotModel::Tool& tool : model.tools) {
+    const auto found = scene.tools.find(tool.name);
+    motions.push_back({tool.name, {}});
+    if (found != scene.tools.end()) motions.back().rows = found->second.motion;
+  }
+  return motions;
+}
+
 SheetState read_sheet_state(const std::filesystem::path& file,
                             const std::shared_ptr<const SnapshotModel>& model, const SheetState* before) {
   const auto snapshot = read_state(file, model);
@@ -62,13 +72,13 @@ SheetState read_sheet_state(const std::filesystem::path& file,
 }  // namespace
 
 Ledger make_ledger(ContactLog log, SheetHistory sheet, const VerdictBounds& bounds,
-                   const FacetNoiseModel& noise) {
+                   const FacetNoiseModel& noise, const std::vector<ToolMotion>& motions) {
   Ledger ledger;
   ledger.log = std::move(log);
   ledger.sheet = std::move(sheet);
   ledger.bounds = bounds;
   ledger.episodes = make_episodes(ledger.log);
-  measure_releases(ledger.log, ledger.sheet, noise, ledger.episodes);
+  measure_releases(ledger.log, ledger.sheet, noise, motions, ledger.episodes);
   ledger.patches = make_patches(ledger.log, ledger.sheet.neighbours, ledger.episodes);
   for (Episode& episode : ledger.episodes) {
     if (!episode.let_go) continue;
@@ -99,7 +109,8 @@ Ledger read_ledger(const ResultFolder& folder) {
   LogBounds known{nodes, {}};
   for (const SnapshotModel::Tool& tool : model->tools) known.tools.push_back(tool.name);
   ContactLog log = make_contact_log(CsvTable::read(folder.events()), CsvTable::read(folder.history()), known);
-  Ledger ledger = make_ledger(std::move(log), std::move(sheet), bounds, make_noise_model(scene, *model));
+  Ledger ledger = make_ledger(std::move(log), std::move(sheet), bounds, make_noise_model(scene, *model),
+                              gather_motions(scene, *model));
   ledger.title = model->title;
   ledger.tools = known.tools;
   return ledger;

@@ -22,7 +22,7 @@ struct Ledger {
 
 /// Episodes, figures, verdicts and patches from what has been read.
 Ledger make_ledger(ContactLog log, SheetHistory sheet, const VerdictBounds& bounds,
-                   const FacetNoiseModel& noise = {});
+                   const FacetNoiseModel& noise = {}, const std::vector<ToolMotion>& motions = {});
 
 /// Reads a run's folder; finished or not. Throws InputError.
 Ledger read_ledger(const ResultFolder& folder);

@@ -8,10 +8,11 @@ namespace {
 Json::Object make_summary_record(const LedgerSummary& summary) {
   Json::Object causes;
   for (const auto& [cause, count] : summary.causes) causes.emplace_back(cause, count);
-  return {
-      {"episodes", summary.episodes}, {"detachments", summary.detachments}, {"nodes", summary.nodes},
-      {"patches", summary.patches},   {"came_back", summary.back},          {"physical", summary.verdicts[0]},
-      {"noise", summary.verdicts[1]}, {"chatter", summary.verdicts[2]},     {"causes", causes}};
+  return {{"episodes", summary.episodes},    {"detachments", summary.detachments},
+          {"nodes", summary.nodes},          {"patches", summary.patches},
+          {"came_back", summary.back},       {"taken_back", summary.taken_back},
+          {"physical", summary.verdicts[0]}, {"noise", summary.verdicts[1]},
+          {"chatter", summary.verdicts[2]},  {"causes", causes}};
 }
 
 std::vector<Json::Object> make_life_records(const Ledger& ledger, int node) {

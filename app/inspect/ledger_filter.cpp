@@ -11,6 +11,7 @@ namespace {
 
 std::vector<std::size_t> gather_events(const Episode& episode) {
   std::vector<std::size_t> events = episode.changes;
+  events.insert(events.end(), episode.taken_back.begin(), episode.taken_back.end());
   if (episode.touched) events.push_back(*episode.touched);
   if (episode.let_go) events.push_back(*episode.let_go);
   return events;
@@ -81,6 +82,7 @@ LedgerSummary sum_up_ledger(const Ledger& ledger, const std::vector<std::size_t>
     const Episode& episode = ledger.episodes[i];
     ++summary.episodes;
     nodes.insert(episode.node);
+    summary.taken_back += static_cast<int>(episode.taken_back.size());
     if (!episode.let_go) continue;
     ++summary.detachments;
     patches.insert(episode.patch);

@@ -28,7 +28,7 @@ std::vector<std::size_t> select_episodes(const Ledger& ledger, const LedgerFilte
 
 /// Counts over the chosen episodes.
 struct LedgerSummary {
-  int episodes = 0, detachments = 0, nodes = 0, patches = 0, back = 0;
+  int episodes = 0, detachments = 0, nodes = 0, patches = 0, back = 0, taken_back = 0;
   std::array<int, 3> verdicts{};
   std::vector<std::pair<std::string, int>> causes;  ///< in order of appearance
   std::vector<int> patch_list;                      ///< indices of patches with a chosen episode, sorted

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/inspect/figure_text.h"
 #include "solver/scene/number_text.h"
 
 namespace hydroscope {
@@ -68,6 +69,7 @@ void add_figures(const ReleaseFigures& f, Json::Object& record) {
                              {"release_threshold_N", f.release.threshold},
                              {"release_pressure_MPa", f.release.pressure},
                              {"facet_angle_deg", f.facet_angle},
+                             {"facet_sagitta_mm", f.facet_sagitta},
                              {"facet_noise_MPa", f.facet_noise},
                              {"facet_noise_share", f.facet_noise_share},
                              {"patch_noise_share", f.patch_noise_share},
@@ -79,7 +81,12 @@ void add_figures(const ReleaseFigures& f, Json::Object& record) {
                              {"left_reach", std::isinf(f.gap_reached)},
                              {"opening_speed_mm_per_s", f.opening_speed},
                              {"gap_growth_mm_per_s", f.gap_growth},
-                             {"toggles", f.toggles}};
+                             {"toggles", f.toggles},
+                             {"taken_back_before", f.taken_back},
+                             {"drive", find_drive(f)},
+                             {"tool_retreat_mm", f.tool_retreat},
+                             {"moving_tool", f.moving_tool},
+                             {"moving_tool_mm", f.moving_way}};
   record.insert(record.end(), figures.begin(), figures.end());
 }
 
@@ -102,6 +109,13 @@ std::string make_cell(const Json& value) {
   return written == "true" || written == "false" ? written : quote_cell(value.text());
 }
 
+std::string describe_taken_back(const Ledger& ledger, std::size_t event) {
+  const ReleaseNote& note = ledger.log.notes[event];
+  if (std::isnan(note.force)) return "the fluid pushed it back in the same increment";
+  return "it let go at " + format_figure(note.force) + " N, threshold " + format_figure(-note.threshold) +
+         " N, and the fluid pushed it back in the same increment";
+}
+
 }  // namespace
 
 Json::Object make_episode_record(const Ledger& ledger, const Episode& episode) {
@@ -110,6 +124,9 @@ Json::Object make_episode_record(const Ledger& ledger, const Episode& episode) {
   add_moment(ledger, "touched", episode.touched, record);
   record.emplace_back("stuck_increments", gather_increments(ledger, episode, EventKind::kStick));
   record.emplace_back("slid_increments", gather_increments(ledger, episode, EventKind::kSlip));
+  Json::Array taken_back;
+  for (const std::size_t i : episode.taken_back) taken_back.push_back(ledger.event(i).increment);
+  record.emplace_back("taken_back_increments", taken_back);
   add_moment(ledger, "let_go", episode.let_go, record);
   add_moment(ledger, "back", episode.back, record);
   add_release(ledger, episode, record);
@@ -133,6 +150,7 @@ Json::Object make_patch_record(const Ledger& ledger, const Patch& patch) {
           {"first_time_s", patch.first_time},
           {"last_time_s", patch.last_time},
           {"causes", Json::Array(patch.causes.begin(), patch.causes.end())},
+          {"drives", Json::Array(patch.drives.begin(), patch.drives.end())},
           {"centre_mm", Json::Array{patch.centre.x(), patch.centre.y(), patch.centre.z()}},
           {"area_mm2", patch.area},
           {"force_before_N", patch.force_before},
@@ -179,21 +197,25 @@ Json::Object make_life_record(const Ledger& ledger, int node, const LifeLine& li
     pressure = state.pressure;
     contact_pressure = state.contact_pressure[n];
   }
+  const bool is_taken_back = is_event && event.kind == EventKind::kTakenBack;
   const Episode episode = is_release ? ledger.episodes[*line.episode] : Episode{};
-  return {{"increment", line.increment},
-          {"time_s", event.time},
-          {"what", is_event ? to_string(event.kind) : "state"},
-          {"tool", tool_name(ledger, event.tool)},
-          {"cause", known_or_null(is_event, event.cause)},
-          {"force_before_N", known_or_null(is_event, event.force_before)},
-          {"force_N", event.force_after},
-          {"gap_mm", event.gap},
-          {"contact_pressure_MPa", contact_pressure},
-          {"pressure_MPa", pressure},
-          {"limited_by", row.limited_by},
-          {"limited_at", number_or_null(row.limited_at)},
-          {"verdict", known_or_null(is_release, to_string(episode.verdict))},
-          {"reason", known_or_null(is_release, episode.reason)}};
+  return {
+      {"increment", line.increment},
+      {"time_s", event.time},
+      {"what", is_event ? to_string(event.kind) : "state"},
+      {"tool", tool_name(ledger, event.tool)},
+      {"cause", known_or_null(is_event, event.cause)},
+      {"force_before_N", known_or_null(is_event, event.force_before)},
+      {"force_N", event.force_after},
+      {"gap_mm", event.gap},
+      {"contact_pressure_MPa", contact_pressure},
+      {"pressure_MPa", pressure},
+      {"limited_by", row.limited_by},
+      {"limited_at", number_or_null(row.limited_at)},
+      {"verdict", known_or_null(is_release || is_taken_back,
+                                to_string(is_taken_back ? Verdict::kNoise : episode.verdict))},
+      {"reason", known_or_null(is_release || is_taken_back,
+                               is_taken_back ? describe_taken_back(ledger, *line.event) : episode.reason)}};
 }
 
 std::string make_csv(const Json::Object& keys, const std::vector<Json::Object>& records) {

@@ -22,6 +22,12 @@ std::string increment_of(const Ledger& ledger, const std::optional<std::size_t>&
   return event ? std::to_string(ledger.event(*event).increment) : "-";
 }
 
+std::string join(const std::vector<std::string>& words) {
+  std::string text;
+  for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
+  return text;
+}
+
 /// "strain", or "release @12".
 std::string limiter_text(const IncrementRow& row) {
   return row.limited_by + (row.limited_at >= 0 ? " @" + std::to_string(row.limited_at) : "");
@@ -39,6 +45,8 @@ std::string make_summary_text(const LedgerSummary& summary, const Ledger& ledger
     for (const auto& [cause, number] : summary.causes)
       text += (text.back() == ':' ? " " : ", ") + cause + " " + std::to_string(number);
   }
+  if (summary.taken_back > 0)
+    text += "\n" + count(summary.taken_back, "release", "releases") + " taken back at once (noise)";
   if (summary.episodes > summary.detachments)
     text += "\n" + count(summary.episodes - summary.detachments, "touch", "touches") + " without letting go";
   return text + "\n" + count(summary.nodes, "node", "nodes") + "; open counts from " +
@@ -49,14 +57,13 @@ std::string make_summary_text(const LedgerSummary& summary, const Ledger& ledger
 std::vector<std::string> make_patch_line(const Ledger& ledger, int index) {
   const Patch& patch = ledger.patches[static_cast<std::size_t>(index)];
   const bool is_one = patch.first_increment == patch.last_increment;
-  std::string causes;
-  for (const std::string& cause : patch.causes) causes += (causes.empty() ? "" : ", ") + cause;
   return {std::to_string(index + 1),
           std::to_string(patch.nodes),
           tool_name(ledger, patch.tool),
           std::to_string(patch.first_increment) + (is_one ? "" : ".." + std::to_string(patch.last_increment)),
           format_figure(patch.first_time),
-          causes,
+          join(patch.causes),
+          join(patch.drives),
           format_figure(patch.force_before),
           format_figure(patch.fluid_share),
           format_figure(patch.facet_noise),
@@ -101,13 +108,22 @@ std::vector<std::string> make_episode_line(const Ledger& ledger, const Episode& 
           let_go != nullptr ? to_string(e.verdict) : "-"};
 }
 
+/// The largest of the most believable ones.
+int find_telling_patch(const Ledger& ledger, const std::vector<int>& patches) {
+  return *std::min_element(patches.begin(), patches.end(), [&](int a, int b) {
+    const Patch& first = ledger.patches[static_cast<std::size_t>(a)];
+    const Patch& second = ledger.patches[static_cast<std::size_t>(b)];
+    return first.verdict != second.verdict ? first.verdict < second.verdict : first.nodes > second.nodes;
+  });
+}
+
 std::string make_rest_line(std::size_t left_out) {
   return left_out == 0 ? "" : "... and " + std::to_string(left_out) + " more (--limit 0 shows all)\n";
 }
 
 std::string make_patch_table(const Ledger& ledger, const std::vector<int>& patches, std::size_t most) {
-  Lines lines = {{"patch", "nodes", "tool", "increment", "time s", "cause", "force N", "p A N", "noise N",
-                  "gap mm", "back", "limited by", "verdict"}};
+  Lines lines = {{"patch", "nodes", "tool", "increment", "time s", "cause", "while", "force N", "p A N",
+                  "noise N", "gap mm", "back", "limited by", "verdict"}};
   std::string reasons;
   const std::size_t shown = std::min(most, patches.size());
   for (std::size_t i = 0; i < shown; ++i) {
@@ -127,7 +143,7 @@ std::string make_ledger_text(const Ledger& ledger, const std::vector<std::size_t
   if (!summary.patch_list.empty()) {
     text += make_patch_table(ledger, summary.patch_list, limit);
     text += "to see it: hydroscope render " + name + " --follow detachment --patch " +
-            std::to_string(summary.patch_list.front() + 1) + "\n";
+            std::to_string(find_telling_patch(ledger, summary.patch_list) + 1) + "\n";
   }
   if (chosen.empty()) return text;
   Lines lines = {{"node", "tool", "touched", "stick/slip", "let go", "time s", "back", "cause", "force N",
@@ -155,7 +171,7 @@ std::string make_life_text(const Ledger& ledger, int node, const std::string& na
                      word("cause"), figure("force_before_N"), figure("force_N"), figure("gap_mm"),
                      figure("contact_pressure_MPa"), figure("pressure_MPa"),
                      limiter_text(ledger.log.row(line.increment)), word("verdict")});
-    if (line.episode)
+    if (!record.at("reason").is_null())
       reasons += "  increment " + std::to_string(line.increment) + ": " + word("verdict") + ", " +
                  word("reason") + "\n";
   }

@@ -25,7 +25,8 @@ class Groups {
   std::vector<std::size_t> parent_;
 };
 
-/// Joins every pair of neighbours, and the same node's own, that let go within one increment.
+/// Joins every pair of neighbours, and the same node's own, that let go within kToggleWindow increments: a
+/// front goes on by a row every few increments.
 Groups join_neighbours(const ContactLog& log, const std::vector<std::vector<int>>& neighbours,
                        const std::vector<Episode>& episodes) {
   std::map<std::pair<int, int>, std::vector<std::size_t>> at;  // by tool and node
@@ -41,7 +42,7 @@ Groups join_neighbours(const ContactLog& log, const std::vector<std::vector<int>
       if (others == at.end()) continue;
       for (const std::size_t a : mine)
         for (const std::size_t b : others->second)
-          if (std::abs(increment(a) - increment(b)) <= 1) groups.join(a, b);
+          if (std::abs(increment(a) - increment(b)) < kToggleWindow) groups.join(a, b);
     }
   }
   return groups;
@@ -56,6 +57,9 @@ Patch sum_up(const ContactLog& log, const std::vector<Episode>& episodes, std::v
     nodes.insert(episode.node);
     if (std::find(patch.causes.begin(), patch.causes.end(), event.cause) == patch.causes.end())
       patch.causes.push_back(event.cause);
+    const std::string drive = find_drive(episode.figures);
+    if (std::find(patch.drives.begin(), patch.drives.end(), drive) == patch.drives.end())
+      patch.drives.push_back(drive);
     patch.centre += event.position / static_cast<double>(members.size());
     patch.area += episode.figures.area;
     patch.force_before += event.force_before;

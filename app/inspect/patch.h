@@ -5,7 +5,7 @@
 
 namespace hydroscope {
 
-/// Neighbours in the mesh that let go of one tool in the same or neighbouring increments.
+/// Neighbours in the mesh that let go of one tool, each within kToggleWindow increments of the next.
 struct Patch {
   std::vector<std::size_t> episodes;  ///< in order of increments, then nodes
   int tool = -1;
@@ -13,6 +13,7 @@ struct Patch {
   int first_increment = 0, last_increment = 0;
   double first_time = 0.0, last_time = 0.0;  ///< [s]
   std::vector<std::string> causes;           ///< different ones, in order
+  std::vector<std::string> drives;           ///< the same of find_drive()
   Vec3 centre = Vec3::Zero();                ///< mean of the contact points [mm]
   double area = 0.0;                         ///< [mm^2]
   double force_before = 0.0;                 ///< sum of the normal forces [N]

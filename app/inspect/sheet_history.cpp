@@ -67,7 +67,8 @@ SheetState make_sheet_state(const Snapshot& s) {
                    calc_node_areas(s.model->quads, s.points),
                    s.contact_tool,
                    s.thickness,
-                   s.tool_translation};
+                   s.tool_translation,
+                   s.tool_normal};
   for (std::size_t i = 0; i < nodes; ++i)
     state.normal_force.push_back(s.contact_force[i].dot(s.tool_normal[i]));
   return state;

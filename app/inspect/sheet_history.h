@@ -19,6 +19,7 @@ struct SheetState {
   std::vector<int> tool;                 ///< -1: free
   std::vector<double> thickness;         ///< [mm]
   std::vector<Vec3> tool_translation;    ///< one a tool [mm]; not a number: taken away
+  std::vector<Vec3> tool_normal;         ///< from the tool to the sheet; zero: free
 };
 
 /// The saved states in order of increments, and who is whose neighbour in the mesh.

@@ -14,9 +14,9 @@ struct VerdictBounds {
 };
 
 /// Chatter: to and fro within the window. Physical: left by the tool's edge or with
-/// the tool, or opened by more than the bound, or pulled for sure, alone or as a patch, and not come back: by
-/// more than the bound and than the facets' noise.
-/// Noise: all else. `back`: increment in which it came back; none: it stayed away.
+/// the tool, or opened by more than the bound, or pulled for sure, alone or as a patch, and neither come back
+/// nor been taken back just before: by more than the bound and than the facets' noise. Noise: all else.
+/// `back`: increment in which it came back; none: it stayed away.
 struct Judgement {
   Verdict verdict = Verdict::kPhysical;
   std::string reason;

@@ -21,6 +21,9 @@ struct SquareDie {
   Coverage coverage = Coverage::quarter;
 };
 
+/// Six flat facets a corner, 15 degrees each: what noise of facets does (scenes/coarse-die.toml).
+inline constexpr SquareDie kCoarseDie{30.75, 20.0, 40.0, 6, 4, 4.0, Coverage::quarter};
+
 /// Round guides lofted into a square cavity with rounded corners; square for |z| <= square_end,
 /// round for |z| >= round_start. The radius goes from one to the other along half a cosine wave.
 struct SquareBulgeDie {

@@ -26,6 +26,7 @@ struct Option {
 
 struct Dies {
   SquareDie square, job_b{20.5, 6.0, 90.0, 14, 16, 4.0, Coverage::quarter};
+  SquareDie coarse = kCoarseDie;
   SquareBulgeDie bulge;
   Punch punch;
 };
@@ -44,6 +45,7 @@ std::vector<Option> list_options(Dies& dies) {
   std::vector<Option> options;
   list_square_options("square_die", dies.square, options);
   list_square_options("job_b_die", dies.job_b, options);
+  list_square_options("coarse_die", dies.coarse, options);
   SquareBulgeDie& bulge = dies.bulge;
   const std::string name = "square_bulge_die";
   options.insert(options.end(),
@@ -106,7 +108,8 @@ bool set(const Option& option, const std::string& text) {
 void print_help(const std::vector<Option>& options) {
   std::printf(
       "Usage: hydroscope_make_dies FOLDER [NAME...] [--text] [--NAME.OPTION=VALUE...]\n"
-      "Writes FOLDER/NAME.stl [mm] for each NAME: square_die, square_bulge_die, punch, job_b_die\n"
+      "Writes FOLDER/NAME.stl [mm] for each NAME: square_die, square_bulge_die, punch, job_b_die, "
+      "coarse_die\n"
       "(all of them by default). Binary STL, or text with --text.\n\nOptions and their defaults:\n");
   for (const Option& option : options) {
     const std::string left = "--" + option.key + "=" + show(option);
@@ -132,7 +135,8 @@ int run(const std::vector<std::string>& arguments) {
       {"square_die", [&] { return make_square_die(dies.square); }},
       {"square_bulge_die", [&] { return make_square_bulge_die(dies.bulge); }},
       {"punch", [&] { return make_punch(dies.punch); }},
-      {"job_b_die", [&] { return make_square_die(dies.job_b); }}};
+      {"job_b_die", [&] { return make_square_die(dies.job_b); }},
+      {"coarse_die", [&] { return make_square_die(dies.coarse); }}};
   std::vector<std::string> words;
   bool is_text = false;
   for (const std::string& argument : arguments) {

@@ -80,7 +80,8 @@ void add_contact_life(const Model& model, const State& state, const std::vector<
       s.toggles[i] += std::max(0, c.toggles - 1);  // the first is the first touch
       if (c.is_active()) {
         s.release_reference[i] = std::max(std::abs(state.pressure) * state.area[i], 0.1 * mean);
-        s.release_threshold[i] = model.contact.release_tolerance * s.release_reference[i];
+        if (model.release == ReleaseRule::kFull)  // the sign rules let go whatever pulls
+          s.release_threshold[i] = model.contact.release_tolerance * s.release_reference[i];
       } else if (s.contact_tool[i] < 0 && c.toggles > 0 &&
                  static_cast<std::size_t>(c.last_toggle) < times.size()) {
         s.let_go_time[i] = std::fmax(s.let_go_time[i], times[static_cast<std::size_t>(c.last_toggle)]);

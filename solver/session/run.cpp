@@ -112,6 +112,7 @@ RunSummary Run::run(const RunObserver& observer) {
   show(true, true);
   Schedule states(impl_->scene.states.number, 0.0, false, model.end_time);
   Schedule frames = make_frame_schedule(impl_->scene.frames, model.end_time);
+  bool may_keep_release = true;  // between two states that are due, the first increment with a letting go
   while (summary.outcome == Outcome::kRunning) {
     const int before = state.increment;
     IncrementReport report = advance(model, state, scratch);
@@ -124,7 +125,9 @@ RunSummary Run::run(const RunObserver& observer) {
     }
     const bool state_due = states.is_due(state.time) || is_last,
                frame_due = frames.is_due(state.time) || is_last;
-    if (state_due || frame_due) show(state_due, frame_due);
+    const bool release_due = !state_due && may_keep_release && report.n_detached > 0;
+    may_keep_release = state_due || (may_keep_release && !release_due);
+    if (state_due || release_due || frame_due) show(state_due || release_due, frame_due);
     summary.outcome = report.outcome;
     summary.message = report.message;
     for (const Warning& w : report.warnings) summary.warnings.push_back(w);

@@ -169,12 +169,12 @@ TEST(InspectLedger, AReasonHasItsFigures) {
 
 TEST(InspectLedger, PatchesAreNeighboursInTheMeshAndInTime) {
   const std::string lines = touches({0, 1, 2, 3, 5}) + touch_and_let_go(0, 9) + touch_and_let_go(1, 10) +
-                            touch_and_let_go(5, 10) + touch_and_let_go(2, 11) + touch_and_let_go(3, 13);
+                            touch_and_let_go(5, 10) + touch_and_let_go(2, 14) + touch_and_let_go(3, 19);
   const Ledger ledger = make_small_ledger(lines, {make_strip_state(0)});
-  ASSERT_EQ(ledger.patches.size(), 3U);  // 0-1-2 as a front; 5 is far; 3 is two increments late
+  ASSERT_EQ(ledger.patches.size(), 3U);  // 0-1-2 as a front; 5 is far; 3 is five increments late
   EXPECT_EQ(ledger.patches[0].nodes, 3);
   EXPECT_EQ(ledger.patches[0].first_increment, 9);
-  EXPECT_EQ(ledger.patches[0].last_increment, 11);
+  EXPECT_EQ(ledger.patches[0].last_increment, 14);
   EXPECT_EQ(ledger.patches[0].area, 5.0);
   EXPECT_EQ(ledger.patches[0].force_before, 1.5);
   EXPECT_EQ(ledger.patches[0].fluid_share, 10.0 * 1.0 + 9.0 * 2.0 + 9.0 * 2.0);
@@ -263,10 +263,10 @@ TEST(InspectLedger, TextStartsWithTheSummary) {
   const Ledger ledger = make_mixed_ledger();
   const std::string text = make_ledger_text(ledger, select_episodes(ledger, {}), "run", 2);
   EXPECT_THAT(text,
-              HasSubstr("run: Strip\n4 detachments in 4 patches: 1 physical, 1 noise, 2 chatter; 2 came "
+              HasSubstr("run: Strip\n4 detachments in 3 patches: 1 physical, 1 noise, 2 chatter; 2 came "
                         "back\ncauses: tension 2, edge 2\n"));
   EXPECT_THAT(text, HasSubstr("release @3"));  // what limited increment 9
-  EXPECT_THAT(text, HasSubstr("... and 2 more (--limit 0 shows all)"));
+  EXPECT_THAT(text, HasSubstr("... and 1 more (--limit 0 shows all)"));
   EXPECT_THAT(make_ledger_text(ledger, {}, "run", 2), HasSubstr("nothing let go"));
 }
 
@@ -276,7 +276,7 @@ TEST(InspectLedger, JsonAndCsvSayTheSame) {
   const Json json = Json::parse(make_ledger_json(ledger, chosen));
   EXPECT_EQ(json.at("summary").at("chatter").number(), 2);
   ASSERT_EQ(json.at("episodes").items().size(), 4U);
-  EXPECT_EQ(json.at("patches").items().size(), 4U);  // node 5: two increments apart
+  EXPECT_EQ(json.at("patches").items().size(), 3U);  // node 5 twice, two increments apart
   const Json& first = json.at("episodes").items().front();
   EXPECT_EQ(first.at("limited_by").text(), "release");
   EXPECT_EQ(first.at("limited_at").number(), 3);
@@ -299,6 +299,76 @@ TEST(InspectLedger, CellsWithCommasAndQuotesReadBack) {
       make_csv({{"a", {}}, {"b", {}}}, {{{"a", "x, \"y\""}, {"b", 1.5}}, {{"a", "z"}, {"b", {}}}});
   EXPECT_EQ(text, "a,b\n\"x, \"\"y\"\"\",1.5\nz,\n");
   EXPECT_EQ(CsvTable::parse(text, "a.csv").text(0, 0), "x, \"y\"");
+}
+
+TEST(InspectLedger, ReleasesTakenBackAtOnceAreCountedAndSpeakForNoise) {
+  const std::string back = make_event_line(8, "taken-back", 3, "die,tension,2,-1,0");
+  const std::string pulled = make_event_line(9, "detach", 3, "die,tension,-1,-1,0.001");
+  const Ledger sure = make_small_ledger(touches({3}) + pulled, {make_strip_state(0)}, 9);
+  EXPECT_EQ(sure.episodes.at(0).verdict, Verdict::kPhysical);  // pulled, and the run ends
+  const Ledger ledger = make_small_ledger(touches({3}) + back + pulled, {make_strip_state(0)}, 9);
+  ASSERT_EQ(ledger.episodes.size(), 1U);  // no detachment of its own
+  EXPECT_EQ(ledger.episodes[0].figures.taken_back, 1);
+  EXPECT_EQ(ledger.episodes[0].verdict, Verdict::kNoise);
+  EXPECT_THAT(ledger.episodes[0].reason, HasSubstr("taken back at once 1 time"));
+  const Ledger early =
+      make_small_ledger(touches({3}) + make_event_line(4, "taken-back", 3, "die,tension,2,-1,0") + pulled,
+                        {make_strip_state(0)}, 9);
+  EXPECT_EQ(early.episodes[0].verdict, Verdict::kPhysical) << "five increments before is long ago";
+  const auto chosen = select_episodes(ledger, {});
+  EXPECT_THAT(make_ledger_text(ledger, chosen, "run", 9), HasSubstr("1 release taken back at once (noise)"));
+  EXPECT_EQ(Json::parse(make_ledger_json(ledger, chosen)).at("summary").at("taken_back").number(), 1);
+  EXPECT_THAT(make_life_text(ledger, 3, "run"), HasSubstr("increment 8: noise, the fluid pushed it back"));
+  LedgerFilter filter;
+  filter.kinds = {EventKind::kTakenBack};
+  EXPECT_THAT(list_nodes(ledger, filter), ElementsAre(3));
+}
+
+TEST(InspectLedger, WhatItsToolAndTheOthersDid) {
+  Snapshot before = make_strip_state(8);
+  before.tool_normal[3] = Vec3::UnitY();
+  SheetHistory sheet;
+  sheet.states = {make_sheet_state(before)};
+  sheet.neighbours = std::vector<std::vector<int>>(12);
+  const std::string lines = touches({3, 4}) + make_event_line(9, "detach", 3, "die,tension,1,0,0.01");
+  const auto find = [&](double die, double punch) {
+    const std::vector<ToolMotion> motions = {{"die", {{0.8, 0, 0, 0}, {1.0, 5, die, 0}}},
+                                             {"punch", {{0.8, 0, 0, 0}, {1.0, punch, 0, 0}}}};
+    return make_ledger(make_log(lines, 10), sheet, {}, {}, motions).episodes.at(0).figures;
+  };
+  // Half of the way lies in increment 9, from 0.8 to 0.9 s; what goes along the face does not count.
+  EXPECT_NEAR(find(-4.0, 0.0).tool_retreat, 2.0, 1e-9);
+  EXPECT_EQ(find_drive(find(-4.0, 0.0)), "tool withdrawn");
+  EXPECT_EQ(find_drive(find(0.0, 3.0)), "unloading");  // 10 to 9 MPa
+  ReleaseFigures held = find(4.0, 3.0);
+  EXPECT_EQ(held.moving_tool, "punch");
+  EXPECT_NEAR(held.moving_way, 1.5, 1e-9);
+  held.pressure = held.pressure_before;
+  EXPECT_EQ(find_drive(held), "tool comes on");
+  held.tool_retreat = 0.0;
+  EXPECT_EQ(find_drive(held), "tool moves");
+  held.moving_tool.clear();
+  EXPECT_EQ(find_drive(held), "steady");
+}
+
+TEST(InspectLedger, ASignRuleThatLetsGoWhatIsPressedIsNoise) {
+  ContactEvent event = make_release("sign rule");
+  event.force_before = 3.0;
+  EXPECT_EQ(judge_release(event, 40, make_figures(0.01, 0.5), make_bounds()).verdict, Verdict::kNoise);
+  EXPECT_EQ(judge_release(event, {}, make_figures(0.01, 0.5), make_bounds()).verdict, Verdict::kPhysical);
+  event.force_before = -3.0;
+  EXPECT_EQ(judge_release(event, 40, make_figures(0.01, -0.5), make_bounds()).verdict, Verdict::kPhysical);
+}
+
+TEST(InspectLedger, OpeningLessThanFacetsStandOffIsNoiseUnlessSomethingGoesBack) {
+  ReleaseFigures f = make_figures(0.05, -0.5);
+  f.facet_sagitta = 0.06;
+  EXPECT_EQ(judge_release(make_release(), {}, f, make_bounds()).verdict, Verdict::kNoise);
+  f.tool_retreat = 0.1;
+  EXPECT_EQ(judge_release(make_release(), {}, f, make_bounds()).verdict, Verdict::kPhysical);
+  f.tool_retreat = 0.0;
+  f.gap_reached = 0.07;
+  EXPECT_EQ(judge_release(make_release(), {}, f, make_bounds()).verdict, Verdict::kPhysical);
 }
 
 TEST(InspectLedger, LifeOfANodeHasEventsAndStates) {
