@@ -5,6 +5,7 @@
 #include <chrono>
 
 #include "solver/base/error.h"
+#include "solver/session/companion_run.h"
 
 namespace hydroscope {
 namespace {
@@ -112,7 +113,7 @@ RecordedRun record_run(const std::function<RunSummary(const RunObserver&)>& solv
   return recorder.finish(solve(recorder.make_observer()));
 }
 
-std::string describe_run(const RecordedRun& run, double end_time) {
+std::string describe_run(const RecordedRun& run, double end_time, double accuracy) {
   const RunSummary& s = run.summary;
   std::string text = std::string(to_string(s.outcome)) + ": reached " + print_short(s.time) + " s of " +
                      print_short(end_time) + " s in " + std::to_string(s.increments) + " increments, " +
@@ -122,6 +123,7 @@ std::string describe_run(const RecordedRun& run, double end_time) {
   for (size_t i = 0; i < s.quantities.size() && i < s.quantity_names.size(); ++i) {
     text += "  " + s.quantity_names[i] + " = " + print_short(s.quantities[i]) + "\n";
   }
+  if (s.estimate) text += describe_estimate(*s.estimate, accuracy);
   return text;
 }
 

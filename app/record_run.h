@@ -33,7 +33,8 @@ struct RecordedRun {
 RecordedRun record_run(const std::function<RunSummary(const RunObserver&)>& solve, RunWriter& writer,
                        const FrameSink& frames, Progress& progress, std::atomic<bool>& stop);
 
-/// What the user reads at the end: outcome, how far, quantities.
-std::string describe_run(const RecordedRun& run, double end_time);
+/// What the user reads at the end: outcome, how far, quantities, and their errors where an `accuracy` is
+/// asked for.
+std::string describe_run(const RecordedRun& run, double end_time, double accuracy = 0.0);
 
 }  // namespace hydroscope

@@ -11,6 +11,7 @@
 #include "solver/base/error.h"
 #include "solver/import/tool_report.h"
 #include "solver/scene/scene_reader.h"
+#include "solver/session/accuracy_choices.h"
 
 namespace hydroscope {
 namespace {
@@ -55,12 +56,14 @@ RunRecord make_record(const Scene& scene, const std::vector<SceneOverride>& over
   for (const SceneOverride& item : overrides) record.overrides.push_back(item.key + "=" + item.value);
   record.threads = threads;
   record.end_time = scene.end_time();
+  record.accuracy = scene.accuracy;
+  record.choices = scene.choices;
   return record;
 }
 
 void describe_results(const ResultFolder& folder, const RecordedRun& run, const Scene& scene,
                       const std::string& renderer) {
-  std::printf("%s", describe_run(run, scene.end_time()).c_str());
+  std::printf("%s", describe_run(run, scene.end_time(), scene.accuracy).c_str());
   std::printf("results: %s\n", folder.path.c_str());
   if (!renderer.empty()) {
     std::printf("renderer: %s\n", renderer.c_str());
@@ -90,9 +93,13 @@ ExitCode run_scene(const Arguments& arguments) {
   std::atomic<bool>& stop = Interrupt::flag();
   Run run(scene, {threads, &stop});
   const bool has_frames = !arguments.has("--no-frames") && !scene.frames.views.empty();
+  if (!run.scene().choices.empty()) {
+    std::printf("%s", describe_choices(run.scene()).c_str());
+    std::fflush(stdout);
+  }
   check_look_at_node(scene, run.snapshot_model());
   const std::string renderer = has_frames ? check_renderer(1) : "";
-  RunRecord record = make_record(scene, overrides, threads);
+  RunRecord record = make_record(run.scene(), overrides, threads);
   record.renderer = renderer;
 
   // All input is accepted: from here on there is a folder.

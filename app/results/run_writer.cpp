@@ -38,7 +38,8 @@ class Row {
 std::string make_history_head(const std::vector<std::string>& quantity_names) {
   std::string head =
       "increment,time_s,pressure_MPa,feed_mm,step_fraction,limited_by,limited_at,"
-      "n_contact,n_stick,n_slip,n_detached,residual,tangential_rest,iterations,factorisations,thickness_min_mm,thickness_max_mm";
+      "n_contact,n_stick,n_slip,n_detached,residual,tangential_rest,iterations,factorisations,thickness_min_"
+      "mm,thickness_max_mm";
   for (const std::string& name : quantity_names) head += ",q." + name;
   return head + "\n";
 }
@@ -77,6 +78,33 @@ Json make_warnings(const std::vector<Warning>& warnings) {
 }
 
 Json make_texts(const std::vector<std::string>& texts) { return Json::Array(texts.begin(), texts.end()); }
+
+Json make_estimate(const ErrorEstimate& estimate) {
+  Json::Array list;
+  for (const QuantityError& item : estimate.errors) {
+    list.push_back(Json::Object{{"quantity", item.name},
+                                {"time_s", item.time},
+                                {"value", item.value},
+                                {"error", item.error},
+                                {"relative", item.relative}});
+  }
+  return Json::Object{{"worst", estimate.worst},
+                      {"quantities", std::move(list)},
+                      {"trouble", estimate.trouble},
+                      {"factorisations", estimate.factorisations},
+                      {"degrees_of_freedom", estimate.degrees_of_freedom},
+                      {"wall_s", estimate.wall}};
+}
+
+Json make_accuracy(const RunRecord& record, const RunSummary& summary) {
+  Json::Array choices;
+  for (const Choice& choice : record.choices) {
+    choices.push_back(Json::Object{{"key", choice.key}, {"value", choice.value}, {"reason", choice.reason}});
+  }
+  Json::Object accuracy{{"asked", record.accuracy}, {"choices", std::move(choices)}};
+  if (summary.estimate) accuracy.emplace_back("estimate", make_estimate(*summary.estimate));
+  return accuracy;
+}
 
 }  // namespace
 
@@ -136,24 +164,25 @@ void RunWriter::finish(const RunSummary& summary, const ProgramTimes& times) {
   const size_t known = std::min(summary.quantity_names.size(), summary.quantities.size());
   for (size_t i = 0; i < known; ++i)
     quantities.emplace_back(summary.quantity_names[i], summary.quantities[i]);
-  const Json json = Json::Object{{"outcome", to_string(summary.outcome)},
-                                 {"message", summary.message},
-                                 {"time_s", summary.time},
-                                 {"end_time_s", record_.end_time},
-                                 {"increments", summary.increments},
-                                 {"factorisations", summary.factorisations},
-                                 {"degrees_of_freedom", summary.degrees_of_freedom},
-                                 {"peak_memory_mb", find_peak_memory()},
-                                 {"quantities", quantities},
-                                 {"wall_s", make_wall_times(summary.wall, times)},
-                                 {"warnings", make_warnings(summary.warnings)},
-                                 {"renderer", record_.renderer},
-                                 {"threads", record_.threads},
-                                 {"states", states()},
-                                 {"scene", record_.scene_file},
-                                 {"overrides", make_texts(record_.overrides)},
-                                 {"version", HYDROSCOPE_VERSION}};
-  write_whole_file(folder_.summary(), json.write() + "\n");
+  Json::Object json{{"outcome", to_string(summary.outcome)},
+                    {"message", summary.message},
+                    {"time_s", summary.time},
+                    {"end_time_s", record_.end_time},
+                    {"increments", summary.increments},
+                    {"factorisations", summary.factorisations},
+                    {"degrees_of_freedom", summary.degrees_of_freedom},
+                    {"peak_memory_mb", find_peak_memory()},
+                    {"quantities", quantities},
+                    {"wall_s", make_wall_times(summary.wall, times)},
+                    {"warnings", make_warnings(summary.warnings)},
+                    {"renderer", record_.renderer},
+                    {"threads", record_.threads},
+                    {"states", states()},
+                    {"scene", record_.scene_file},
+                    {"overrides", make_texts(record_.overrides)},
+                    {"version", HYDROSCOPE_VERSION}};
+  if (record_.accuracy > 0.0) json.emplace_back("accuracy", make_accuracy(record_, summary));
+  write_whole_file(folder_.summary(), Json(json).write() + "\n");
 }
 
 double find_peak_memory() {

@@ -19,8 +19,10 @@ struct RunRecord {
   std::vector<std::string> overrides;               ///< "key=value", in order
   std::map<std::string, std::string> tool_reports;  ///< health of each tool's mesh: tools/NAME.txt
   int threads = 1;
-  double end_time = 0.0;   ///< process time of the whole scene [s]
-  std::string renderer{};  ///< who draws the frames; empty: nobody
+  double end_time = 0.0;          ///< process time of the whole scene [s]
+  std::string renderer{};         ///< who draws the frames; empty: nobody
+  double accuracy = 0.0;          ///< relative error that was asked for; 0: none
+  std::vector<Choice> choices{};  ///< what was chosen for it
 };
 
 /// Seconds that the program itself spent, for the summary.

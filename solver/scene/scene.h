@@ -5,6 +5,7 @@
 #include <limits>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -205,6 +206,11 @@ struct FramesScene {  // [frames]
   double frames_per_second = 20.0;
 };
 
+/// A setting that the program has chosen where `accuracy` is asked for, and why.
+struct Choice {
+  std::string key, value, reason;
+};
+
 struct StatesScene {  // [states]
   int number = 20;    // number: states kept over the whole process time (and always first and last)
 };
@@ -213,6 +219,7 @@ struct Scene {
   std::string file;       // path of the scene file
   std::string directory;  // its folder: tool files are relative to it
   std::string title;
+  double accuracy = 0.0;  // accuracy: relative error that the quantities may have; 0 = settings are the user's
   std::string sheet;  // "tube" | "strip" | "mesh": which table was given
   TubeScene tube;
   StripScene strip;
@@ -230,6 +237,10 @@ struct Scene {
   StopScene stop;
   FramesScene frames;
   StatesScene states;
+
+  /// Full keys whose values `accuracy` takes as the user's word.
+  std::set<std::string> given;
+  std::vector<Choice> choices;  // what was chosen; empty before, and without `accuracy`
 
   /// Process time of the last point of any path [s].
   double end_time() const;

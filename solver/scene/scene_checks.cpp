@@ -54,7 +54,7 @@ void check_grading(const GivenKeys& given, const TubeScene& tube) {
   }
 }
 
-void check_tube(const GivenKeys& given, TubeScene& tube) {
+void check_tube(const GivenKeys& given, TubeScene& tube, bool is_mesh_chosen) {
   const bool mid = given.has("tube.radius_mm"), outer = given.has("tube.outer_radius_mm");
   if (mid && outer) given.fail("tube.outer_radius_mm", "contradicts 'radius_mm'; give one of them");
   if (!mid && !outer) given.fail_at("tube", "key 'tube.radius_mm' is missing (or 'tube.outer_radius_mm')");
@@ -68,6 +68,9 @@ void check_tube(const GivenKeys& given, TubeScene& tube) {
   if (tube.extent == "slice" && tube.elements_along != 1) {
     given.fail("tube.elements_along", "a slice has one row of elements; leave this out");
   }
+  check_grading(given, tube);
+  if (is_mesh_chosen) return;
+  if (!given.has("tube.elements_around")) given.fail_at("tube", "key 'tube.elements_around' is missing");
   if (tube.elements_around * tube.elements_along < 2) {
     given.fail("tube.elements_around", "a mesh of one element cannot bend; take 2 or more");
   }
@@ -75,12 +78,12 @@ void check_tube(const GivenKeys& given, TubeScene& tube) {
     given.fail("tube.elements_around",
                std::to_string(tube.elements_around) + " do not close a tube; allowed: at least 3");
   }
-  check_grading(given, tube);
 }
 
-void check_strip(const GivenKeys& given, const StripScene& strip) {
-  const auto check_part = [&given](const char* length_key, double length, const char* count_key, int count) {
-    if (length > 0 && count < 1)
+void check_strip(const GivenKeys& given, const StripScene& strip, bool is_mesh_chosen) {
+  const auto check_part = [&given, is_mesh_chosen](const char* length_key, double length,
+                                                   const char* count_key, int count) {
+    if (length > 0 && count < 1 && !is_mesh_chosen)
       given.fail(count_key, "at least 1 is needed, as '" + std::string(length_key) + "' is not 0");
     if (length <= 0 && count > 0)
       given.fail(count_key, "elements without a length: give '" + std::string(length_key) + "'");
@@ -92,7 +95,7 @@ void check_strip(const GivenKeys& given, const StripScene& strip) {
     given.fail("strip.arc_radius_mm",
                format_exact(strip.arc_radius) + " is out of range; allowed: more than half the thickness");
   }
-  if (strip.elements_lead_in + strip.elements_arc + strip.elements_lead_out < 2) {
+  if (!is_mesh_chosen && strip.elements_lead_in + strip.elements_arc + strip.elements_lead_out < 2) {
     given.fail_at("strip", "table [strip]: a mesh of one element cannot bend; take 2 or more");
   }
 }
@@ -274,7 +277,23 @@ void check_increment(const GivenKeys& given, const Scene& scene) {
   }
 }
 
+void check_accuracy(const GivenKeys& given, const Scene& scene) {
+  constexpr double kFinest = 0.001;
+  if (scene.accuracy > 0.0 && scene.accuracy < kFinest) {
+    given.fail("accuracy", format_exact(scene.accuracy) + " is out of range; allowed: " +
+                               format_exact(kFinest) + " to 0.2 (or 0: settings as given)");
+  }
+}
+
 }  // namespace
+
+std::set<std::string> GivenKeys::list(bool only_overrides) const {
+  std::set<std::string> paths;
+  for (const auto& [path, place] : places_) {
+    if (place.is_override || !only_overrides) paths.insert(path);
+  }
+  return paths;
+}
 
 void GivenKeys::add(const std::string& path, const std::string& where, bool is_override) {
   places_[path] = {where, is_override};
@@ -303,8 +322,8 @@ void GivenKeys::fail_at(const std::string& path, const std::string& text) const 
 
 void check_scene(Scene& scene, const GivenKeys& given) {
   check_sheet(given, scene);
-  if (scene.sheet == "tube") check_tube(given, scene.tube);
-  if (scene.sheet == "strip") check_strip(given, scene.strip);
+  if (scene.sheet == "tube") check_tube(given, scene.tube, scene.accuracy > 0.0);
+  if (scene.sheet == "strip") check_strip(given, scene.strip, scene.accuracy > 0.0);
   check_material(given, scene.material);
   check_tools(given, scene);
   check_edges(given, scene);
@@ -314,7 +333,9 @@ void check_scene(Scene& scene, const GivenKeys& given) {
   check_quantity_circles(given, scene);
   check_stop(given, scene);
   check_increment(given, scene);
+  check_accuracy(given, scene);
   choose_explicit_limits(given, scene);
+  scene.given = list_user_words(given);
 }
 
 void check_scene_files(const Scene& scene, const GivenKeys& given) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <set>
 #include <string>
 
 #include "solver/scene/scene.h"
@@ -17,6 +18,8 @@ class GivenKeys {
 
   bool has(const std::string& path) const { return places_.count(path) > 0; }
   bool is_override(const std::string& path) const;
+  /// All paths, or those of overrides.
+  std::set<std::string> list(bool only_overrides) const;
   /// The place of the key, else of the tables around it, else the file.
   std::string find_place(const std::string& path) const;
   const std::string& file() const { return file_; }

@@ -12,4 +12,8 @@ void choose_explicit_limits(const GivenKeys& given, Scene& scene) {
   if (!given.has("increment.stop_at")) increment.stop_at = {"yield", "release", "slip"};
 }
 
+std::set<std::string> list_user_words(const GivenKeys& given) {
+  return given.list(given.is_override("accuracy"));
+}
+
 }  // namespace hydroscope

@@ -49,12 +49,19 @@ SceneKey key(std::string name, std::string unit, std::string doc) {
 constexpr double kMany = 1e9;
 
 SceneTable make_top() {
-  return {"",
-          "Before the first table.",
-          {},
-          {
-              key<&Scene::title>("title", "", "What the scene is, in a line; shown in frames and reports."),
-          }};
+  return {
+      "",
+      "Before the first table.",
+      {},
+      {
+          key<&Scene::title>("title", "", "What the scene is, in a line; shown in frames and reports."),
+          key<&Scene::accuracy>(
+              "accuracy", "",
+              "Relative error that the quantities may have: chooses mesh, increments, thickness points and "
+              "the smallest symmetric part, and estimates the error at the end (docs/accuracy.md). "
+              "Without it the settings are as given; 0 is without it.")
+              .in(0, 0.2),
+      }};
 }
 
 SceneTable make_tube() {
@@ -86,9 +93,9 @@ SceneTable make_tube() {
               "extent", "",
               "Part of the length that is modelled: all of it, the half z >= 0, or a slice in plane strain.")
               .one_of({"full", "half", "slice"}),
-          key<&T::elements_around>("elements_around", "", "Elements over the modelled section.")
-              .in(1, 100000)
-              .required(),
+          key<&T::elements_around>("elements_around", "",
+                                   "Elements over the modelled section; needed, unless `accuracy` is given.")
+              .in(1, 100000),
           key<&T::elements_along>("elements_along", "", "Elements over the modelled length; a slice has one.")
               .in(1, 100000),
           key<&T::grading_around>(

@@ -7,7 +7,9 @@
 #include "solver/increment/advance.h"
 #include "solver/increment/contact_step.h"
 #include "solver/increment/equations.h"
+#include "solver/session/accuracy_choices.h"
 #include "solver/session/build_model.h"
+#include "solver/session/companion_run.h"
 #include "solver/session/make_snapshot.h"
 
 namespace hydroscope {
@@ -47,9 +49,9 @@ Schedule make_frame_schedule(const FramesScene& frames, double end) {
 
 struct Run::Impl {
   Impl(const Scene& s, const RunOptions& o)
-      : scene(s),
+      : scene(choose_for_accuracy(s)),
         options(o),
-        model(build_model(s)),
+        model(build_model(scene)),
         shared(std::make_shared<SnapshotModel>(make_snapshot_model(model))) {
     for (const Quantity& q : model.quantities) names.push_back(q.name);
   }
@@ -83,6 +85,7 @@ struct Run::Impl {
 
 Run::Run(const Scene& scene, const RunOptions& options) : impl_(std::make_unique<Impl>(scene, options)) {}
 Run::~Run() = default;
+const Scene& Run::scene() const { return impl_->scene; }
 const SnapshotModel& Run::snapshot_model() const { return *impl_->shared; }
 const std::vector<std::string>& Run::quantity_names() const { return impl_->names; }
 
@@ -97,6 +100,7 @@ RunSummary Run::run(const RunObserver& observer) {
   state.contacts = scratch.trial.contacts;
 
   RunSummary summary;
+  QuantityHistory history;  // for the estimate
   summary.quantity_names = impl_->names;
   summary.degrees_of_freedom = scratch.matrix.size();
   if (observer.on_start) observer.on_start(*impl_->shared, summary.degrees_of_freedom, model.end_time);
@@ -122,6 +126,8 @@ RunSummary Run::run(const RunObserver& observer) {
       times.push_back(state.time);
       if (observer.on_increment) observer.on_increment(report);
       summary.quantities = report.quantities;
+      history.times.push_back(state.time);
+      history.values.push_back(report.quantities);
     }
     const bool state_due = states.is_due(state.time) || is_last,
                frame_due = frames.is_due(state.time) || is_last;
@@ -136,6 +142,8 @@ RunSummary Run::run(const RunObserver& observer) {
   summary.factorisations = scratch.factorisations;
   summary.time = state.time;
   summary.wall = scratch.times;
+  if (impl_->scene.accuracy > 0.0 && summary.outcome != Outcome::kUserStop)
+    add_estimate(impl_->scene, impl_->options, history, summary);
   return summary;
 }
 

@@ -4,9 +4,11 @@
 #include <atomic>
 #include <functional>
 #include <memory>
+#include <optional>
 
 #include "solver/increment/report.h"
 #include "solver/scene/scene.h"
+#include "solver/session/error_estimate.h"
 #include "solver/snapshot/snapshot.h"
 
 namespace hydroscope {
@@ -38,10 +40,13 @@ struct RunSummary {
   std::vector<std::string> quantity_names;
   std::vector<double> quantities;  ///< at the last good state
   std::vector<Warning> warnings;
+  std::optional<ErrorEstimate> estimate;  ///< where the scene asks for an accuracy
 };
 
 /// Builds the model of a scene (throws InputError before anything is written)
-/// and runs it to its end. Deterministic: bit for bit the same for any number of threads.
+/// and runs it to its end. A scene that asks for an accuracy is chosen for first, and a cheap companion
+/// that runs afterwards estimates the error; it is not part of the observer's story. Deterministic: bit for
+/// bit the same for any number of threads.
 class Run {
  public:
   Run(const Scene& scene, const RunOptions& options);
@@ -49,6 +54,8 @@ class Run {
   Run(const Run&) = delete;
   Run& operator=(const Run&) = delete;
 
+  /// The scene as it is run: with what `accuracy` has chosen.
+  const Scene& scene() const;
   const SnapshotModel& snapshot_model() const;
   const std::vector<std::string>& quantity_names() const;
   RunSummary run(const RunObserver& observer);
