@@ -75,6 +75,12 @@ void record_change(const State& state, std::size_t t, std::size_t i, const Conta
     ++now.toggles;
     now.last_toggle = state.increment;
     now.peak_force = 0.0;
+  } else if (!before.is_active() && now.release.cause == ReleaseCause::kSign) {  // came and went at once
+    add(now.toggles > 0 ? EventKind::kRetouch : EventKind::kTouch, "gap closed");
+    add(EventKind::kDetach, name_cause(now.release.cause, is_unloading));
+    ++report.n_detached;
+    now.toggles += 2;
+    now.last_toggle = state.increment;
   } else if (before.is_active() && now.release.cause != ReleaseCause::kNone) {
     add(EventKind::kTakenBack, name_cause(now.release.cause, is_unloading));
   } else if (before.status != now.status) {

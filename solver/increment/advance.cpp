@@ -231,7 +231,7 @@ IncrementReport advance(const Model& model, State& state, Scratch& scratch) {
       }
       // What follows a corner is unknown: begin gently, as at the start.
       if (state.is_at_corner) state.next_dt = std::min(state.next_dt, 0.005 * model.end_time);
-      if (strain_fraction < 1.0 || next < 1.4 * done) {
+      if (model.increment.max_strain > 0.0 && (strain_fraction < 1.0 || next < 1.4 * done)) {
         if (report.limited_by == Limiter::kTimePath) report.limited_by = Limiter::kStrain;
       }
       if (error_limited) report.limited_by = Limiter::kError;

@@ -501,7 +501,7 @@ SceneTable make_increment() {
               "What becomes of out-of-balance forces: iterated away (`newton`), left (`none`), "
               "added to the next increment (4.23)-(4.26), or solved for once more (4.27). All but `newton` "
               "draw the limits tight unless they are given: max_strain 0.003, max_rotation_deg 1, "
-              "max_penetration 0.01, stop_at all three.")
+              "max_penetration 0.01, stop_at all three, material.yield_rounding 0.")
               .one_of({"newton", "none", "one-step-behind", "algoneq"}),
           key<&T::r_safe>("r_safe", "",
                           "R_safe of (4.25): the out-of-balance force is divided by it before it is added.")

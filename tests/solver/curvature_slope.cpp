@@ -61,13 +61,13 @@ SpringNode make_spring_node(const ToolSurface& tool, const Vec3& at, double offs
   return node;
 }
 
-TangentialRest slide_once(const ToolSurface& tool, const SpringNode& node, Curvature curvature,
+TangentialRest slide_once(const ToolSurface& tool, const SpringNode& node, CurvatureInSlide curvature,
                           const NodeForce& force) {
   const FootPoint foot = find_foot(tool, node.point());
-  const bool has_curvature = curvature != Curvature::none;
+  const bool has_curvature = curvature != CurvatureInSlide::none;
   const NodeForce row = calc_gap_row(node.slave, foot.normal);
   const Stiffness contact = calc_contact_stiffness(node.slave, foot, node.normal_force, {}, has_curvature,
-                                                   curvature == Curvature::symmetric);
+                                                   curvature == CurvatureInSlide::symmetric);
   // Springs, contact, and the row of the gap with the change of t_N as its multiplier.
   Eigen::Matrix<double, kDofs + 1, kDofs + 1> k;
   k << node.springs + contact, -row, row.transpose(), 0.0;
@@ -99,9 +99,9 @@ std::vector<SlopeRow> measure_slopes(const ToolSurface& tool, const SpringNode& 
   force.head<3>() = first_force * along;
   std::vector<SlopeRow> rows;
   for (int i = 0; i < steps; ++i, force *= 0.5) {
-    rows.push_back({slide_once(tool, node, Curvature::none, force),
-                    slide_once(tool, node, Curvature::full, force),
-                    slide_once(tool, node, Curvature::symmetric, force)});
+    rows.push_back({slide_once(tool, node, CurvatureInSlide::none, force),
+                    slide_once(tool, node, CurvatureInSlide::full, force),
+                    slide_once(tool, node, CurvatureInSlide::symmetric, force)});
   }
   return rows;
 }

@@ -29,7 +29,7 @@ SpringNode make_spring_node(const ToolSurface& tool, const Vec3& at, double offs
 FootPoint find_foot(const ToolSurface& tool, const Vec3& x);
 
 /// Treatment of the turning normal in the tangent.
-enum class Curvature { none, full, symmetric };
+enum class CurvatureInSlide { none, full, symmetric };
 
 /// What is left across the true normal n' after one step along the tool, before re-projection:
 /// |t' - n' (n' . t')| [N].
@@ -44,7 +44,7 @@ struct TangentialRest {
 
 /// One linear step under `force` (u, alpha, beta) [N, N mm]: springs and contact stiffness on the left, the
 /// gap held (4.35).
-TangentialRest slide_once(const ToolSurface& tool, const SpringNode& node, Curvature curvature,
+TangentialRest slide_once(const ToolSurface& tool, const SpringNode& node, CurvatureInSlide curvature,
                           const Eigen::Matrix<double, kDofs, 1>& force);
 
 struct SlopeRow {
