@@ -145,6 +145,10 @@ expect 2 "wrong.toml:11: increment.max_strian = 0.005" "$program" chart "$work/w
 [ ! -e "$work/never" ] || fail "a folder was made for a wrong study"
 
 # The shipped studies: every run's scene is read and checked. Each axis has its treatments.
+# The studies' scenes read dies that the generator makes.
+for die in square_bulge_die square_die; do
+  [ -f "scenes/dies/$die.stl" ] || "$(dirname "$program")/scenes/generators/hydroscope_make_dies" scenes/dies "$die" >/dev/null
+done
 for study in methods methods-3d; do
   expect 0 "[reference]" "$program" chart "scenes/studies/$study.toml" --list
   for key in 'curvature="none"' 'curvature="full"' 'correction="one-step-behind"' 'correction="algoneq"'; do
