@@ -30,8 +30,10 @@ struct FrameOptions {
   bool facet_normals = false;          ///< tool-normals: also the facets' own normals
   bool element_edges = false;          ///< edges of all elements
   double tool_opacity = 0.35;
-  bool is_tool_cut = true;  ///< take away the half of the tools on the viewer's side
-  int most_arrows = 2000;   ///< in one picture, over the whole part
+  bool is_tool_cut = true;    ///< take away the half of the tools on the viewer's side
+  bool feature_edges = true;  ///< open and sharp edges of the tools
+  int most_arrows = 2000;     ///< in one picture, over the whole part
+  double arrow_scale = 1.0;   ///< of the arrows' usual length
   /// Fixed ranges by view: "thickness", "plastic-strain", "contact-pressure",
   /// "gap", "slip" (accumulated, from 0) and "slip-increment" [in the field's unit].
   /// A scalar view whose range is given here is drawn while the run goes on; otherwise

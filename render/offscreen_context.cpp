@@ -261,6 +261,10 @@ void OffscreenContext::Impl::self_test() {
 OffscreenContext::OffscreenContext(const Options& options) : impl_(std::make_unique<Impl>(options)) {}
 OffscreenContext::~OffscreenContext() = default;
 vtkRenderWindow& OffscreenContext::window() { return *impl_->window; }
+void OffscreenContext::resize(int width, int height) {
+  impl_->window->SetSize(width, height);
+  impl_->window->SetScreenSize(width, height);
+}
 const RendererInfo& OffscreenContext::info() const { return impl_->info; }
 Image OffscreenContext::draw(int reduction) { return impl_->draw(reduction); }
 

@@ -34,6 +34,8 @@ class OffscreenContext {
   OffscreenContext& operator=(const OffscreenContext&) = delete;
 
   vtkRenderWindow& window();
+  /// Of the next pictures [px].
+  void resize(int width, int height);
   const RendererInfo& info() const;
 
   /// Draws the window's renderers and reads the picture back, `reduction` times

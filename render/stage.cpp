@@ -43,7 +43,6 @@ vtkSmartPointer<vtkLookupTable> make_lookup(const ColourTable& colours, const Ra
 /// projection sees all of them from one direction, so the others need not be sent: half of the work.
 std::vector<std::array<int, 4>> find_seen(const Surface& surface, SurfaceItem::Faces faces,
                                           const Vec3f& direction) {
-  if (faces == SurfaceItem::Faces::kAll) return surface.polygons;
   const float sign = faces == SurfaceItem::Faces::kFront ? 1.0F : -1.0F;
   std::vector<std::array<int, 4>> seen;
   seen.reserve(surface.polygons.size());
@@ -148,12 +147,14 @@ void Stage::Impl::set_cut(Layer& layer, bool is_cut, Scene& scene) {
 
 void Stage::Impl::show_surface(Layer& layer, const SurfaceItem& item, Scene& scene, const Vec3f& direction) {
   vtkProperty& property = *layer.actor->GetProperty();
-  if (layer.shape != item.surface || layer.faces != item.faces || layer.direction != direction) {
+  const bool is_whole = options.is_turned_often || item.faces == SurfaceItem::Faces::kAll;
+  const bool is_other_part = !is_whole && (layer.faces != item.faces || layer.direction != direction);
+  if (layer.shape != item.surface || is_other_part) {
     layer.shape = item.surface;
     layer.faces = item.faces;
     layer.direction = direction;
-    layer.mapper->SetInputData(
-        make_poly_data(*item.surface, find_seen(*item.surface, item.faces, direction)));
+    layer.mapper->SetInputData(make_poly_data(
+        *item.surface, is_whole ? item.surface->polygons : find_seen(*item.surface, item.faces, direction)));
   }
   const bool has_values = !item.surface->values.empty() && item.table != nullptr;
   layer.mapper->SetScalarVisibility(has_values || !item.surface->colours.empty());
@@ -225,6 +226,15 @@ void Stage::Impl::set_camera(Scene& scene, const CameraPose& pose) {
 
 Stage::Stage(const Options& options) : impl_(std::make_unique<Impl>(options)) {
   require(options.smoothing >= 1 && options.smoothing <= 4, "smoothing is a factor of 1 to 4");
+}
+void Stage::resize(int width, int height, int smoothing) {
+  require(smoothing >= 1 && smoothing <= 4, "smoothing is a factor of 1 to 4");
+  Options& options = impl_->options;
+  if (options.width == width && options.height == height && options.smoothing == smoothing) return;
+  options.width = width;
+  options.height = height;
+  options.smoothing = smoothing;
+  impl_->context.resize(width * smoothing, height * smoothing);
 }
 Stage::~Stage() = default;
 const RendererInfo& Stage::info() const { return impl_->context.info(); }

@@ -19,6 +19,9 @@ class Stage {
     int smoothing = 2;           ///< drawn larger by this factor each way, then averaged; 1 = rough edges
     bool is_flat = false;        ///< no light, plain ground: colours come out exactly
     int rasteriser_threads = 1;  ///< see OffscreenContext
+    /// Shapes are sent whole, so that another direction needs no sending. Otherwise what the
+    /// viewer sees of them is sent: cheaper where most pictures show other shapes.
+    bool is_turned_often = false;
   };
   explicit Stage(const Options& options);
   ~Stage();
@@ -26,6 +29,9 @@ class Stage {
   Stage& operator=(const Stage&) = delete;
 
   const RendererInfo& info() const;
+
+  /// Pictures of another size from now on; what has been sent to the renderer stays there.
+  void resize(int width, int height, int smoothing);
 
   /// Picture of the shapes alone, without text.
   Image draw(const DrawList& list, const CameraPose& camera, const Theme& theme, int slot = 0);

@@ -66,23 +66,16 @@ void Views::hold(const Snapshot& snapshot) {
 }
 
 Views::Views(const Snapshot& first, const FrameOptions& options)
-    : options_(options), theme_(hydroscope::theme(options.theme)), sheet_(first, options.is_mirrored) {
+    : options_(options), theme_(&hydroscope::theme(options.theme)), sheet_(first, options.is_mirrored) {
   for (const std::string& view : options.views)
     if (std::find(view_names().begin(), view_names().end(), view) == view_names().end())
       throw InputError("view '" + view + "' is unknown; there are " + join(view_names()));
   const std::vector<Plane> mirrors = options.is_mirrored ? first.model->mirrors : std::vector<Plane>{};
   for (const SnapshotModel::Tool& tool : first.model->tools) {
     tools_.emplace_back(ToolShape(tool, mirrors));
-    ToolState& state = tools_.back();
-    const int copies = static_cast<int>(state.shape.reflections().size());
-    const int share_of_arrows =
-        std::max(1, options.most_arrows / copies / static_cast<int>(first.model->tools.size()));
-    state.arrow_nodes = find_spread_points(state.shape.mesh().points, share_of_arrows);
-    state.arrow_facets = find_spread_points(state.shape.calc_facet_centres(), share_of_arrows);
-    largest_angle_ = std::max(largest_angle_, state.shape.largest_angle());
+    largest_angle_ = std::max(largest_angle_, tools_.back().shape.largest_angle());
   }
-  arrow_nodes_ =
-      find_spread_points(first.points, options.most_arrows / static_cast<int>(sheet_.reflections().size()));
+  first_points_ = first.points;
   const Bounds sheet_bounds = calc_bounds(first, sheet_.reflections());
   std::vector<const ToolShape*> shapes;
   for (const ToolState& tool : tools_) shapes.push_back(&tool.shape);
@@ -91,7 +84,38 @@ Views::Views(const Snapshot& first, const FrameOptions& options)
     bounds_.include(options.later_sheet->least);
     bounds_.include(options.later_sheet->greatest);
   }
-  arrow_size_ = 0.05 * sheet_bounds.diagonal();
+  sheet_size_ = sheet_bounds.diagonal();
+  choose_arrows();
+}
+
+void Views::choose_arrows() {
+  for (ToolState& tool : tools_) {
+    const int copies = static_cast<int>(tool.shape.reflections().size());
+    const int share_of_arrows = std::max(1, options_.most_arrows / copies / static_cast<int>(tools_.size()));
+    tool.normal_arrows = nullptr;
+    tool.arrow_nodes.clear();
+    tool.arrow_facets.clear();
+    if (options_.most_arrows == 0) continue;
+    tool.arrow_nodes = find_spread_points(tool.shape.mesh().points, share_of_arrows);
+    tool.arrow_facets = find_spread_points(tool.shape.calc_facet_centres(), share_of_arrows);
+  }
+  arrow_nodes_.clear();
+  if (options_.most_arrows > 0)
+    arrow_nodes_ = find_spread_points(first_points_,
+                                      options_.most_arrows / static_cast<int>(sheet_.reflections().size()));
+  arrow_size_ = 0.05 * sheet_size_ * options_.arrow_scale;
+}
+
+void Views::restyle(const FrameOptions& options) {
+  require(options.is_mirrored == options_.is_mirrored, "mirror images belong to what a view is made with");
+  const bool has_other_arrows =
+      options.most_arrows != options_.most_arrows || options.arrow_scale != options_.arrow_scale;
+  const bool has_other_cut = options.is_tool_cut != options_.is_tool_cut;
+  options_ = options;
+  theme_ = &hydroscope::theme(options.theme);
+  if (has_other_arrows) choose_arrows();
+  if (has_other_cut)
+    for (ToolState& tool : tools_) tool.cut.point.setConstant(std::numeric_limits<double>::quiet_NaN());
 }
 
 void Views::make_normal_arrows(ToolState& tool, const Plane& cut) const {
@@ -151,19 +175,19 @@ std::vector<std::reference_wrapper<const Views::ToolState>> Views::present_tools
 void Views::add_wall(DrawList& list, const Snapshot& snapshot, const std::optional<NodePaint>& paint) const {
   // A closed solid: its polygons are seen from outside or not at all.
   list.surfaces.push_back({.surface = share(sheet_.make_wall(snapshot, paint)),
-                           .colour = theme_.sheet,
+                           .colour = theme_->sheet,
                            .faces = SurfaceItem::Faces::kFront});
   if (options_.is_flat) return;
-  list.lines.push_back({.lines = share(sheet_.make_rim(snapshot)), .colour = theme_.line, .width = 1.3});
+  list.lines.push_back({.lines = share(sheet_.make_rim(snapshot)), .colour = theme_->line, .width = 1.3});
   if (options_.element_edges)
     list.lines.push_back({.lines = share(sheet_.make_element_edges(snapshot)),
-                          .colour = theme_.line,
+                          .colour = theme_->line,
                           .width = 0.7,
                           .opacity = 0.45});
 }
 
 void Views::add_tools(DrawList& list) const {
-  if (options_.is_flat) return;
+  if (options_.is_flat || options_.tool_opacity == 0.0) return;
   using Faces = SurfaceItem::Faces;
   // First the walls seen from the sheet's side, then those seen from behind,
   // which are nearer: so each pixel blends in the right order without sorting.
@@ -171,14 +195,15 @@ void Views::add_tools(DrawList& list) const {
     for (const ToolState& tool : present_tools())
       list.surfaces.push_back(
           {.surface = tool.surface,
-           .colour = theme_.tool,
+           .colour = theme_->tool,
            .opacity = faces == Faces::kFront ? options_.tool_opacity : 0.5 * options_.tool_opacity,
            .faces = faces,
            .is_cut = options_.is_tool_cut});
   for (const ToolState& tool : present_tools()) {
-    list.lines.push_back(
-        {.lines = tool.edges, .colour = theme_.tool_line, .width = 1.0, .is_cut = options_.is_tool_cut});
-    list.lines.push_back({.lines = tool.section, .colour = theme_.line, .width = 2.0});
+    if (options_.feature_edges)
+      list.lines.push_back(
+          {.lines = tool.edges, .colour = theme_->tool_line, .width = 1.0, .is_cut = options_.is_tool_cut});
+    list.lines.push_back({.lines = tool.section, .colour = theme_->line, .width = 2.0});
   }
 }
 
@@ -218,15 +243,16 @@ void Views::draw_tool_normals(DrawList& list, const Snapshot& snapshot) const {
           {.surface = tool.facet_arrows, .colour = {0, 158, 115}, .faces = SurfaceItem::Faces::kFront});
     if (options_.is_flat) continue;
     list.lines.push_back(
-        {.lines = tool.facet_edges, .colour = theme_.line, .width = 0.6, .opacity = 0.3, .is_cut = is_cut});
-    list.lines.push_back({.lines = tool.edges, .colour = theme_.line, .width = 1.2, .is_cut = is_cut});
-    list.lines.push_back({.lines = tool.section, .colour = theme_.line, .width = 2.0});
+        {.lines = tool.facet_edges, .colour = theme_->line, .width = 0.6, .opacity = 0.3, .is_cut = is_cut});
+    if (options_.feature_edges)
+      list.lines.push_back({.lines = tool.edges, .colour = theme_->line, .width = 1.2, .is_cut = is_cut});
+    list.lines.push_back({.lines = tool.section, .colour = theme_->line, .width = 2.0});
   }
   list.legend.swatches.push_back({class_colour(ContactClass::kStick), "continuous normal"});
   if (options_.facet_normals) list.legend.swatches.push_back({{0, 158, 115}, "facet normal"});
   if (!options_.is_flat)
     list.lines.push_back(
-        {.lines = share(sheet_.make_rim(snapshot)), .colour = theme_.faint_text, .width = 1.3});
+        {.lines = share(sheet_.make_rim(snapshot)), .colour = theme_->faint_text, .width = 1.3});
 }
 
 void Views::draw_slip(DrawList& list, const Snapshot& snapshot,

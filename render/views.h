@@ -35,6 +35,9 @@ class Views {
   /// the camera of a sequence whose end is not known yet moves seldom. Given bounds stay as they are.
   void hold(const Snapshot& snapshot);
 
+  /// Other colours, edges, arrows, opacity and cuts from now on; mirror images and bounds stay.
+  void restyle(const FrameOptions& options);
+
  private:
   struct ToolState {
     explicit ToolState(ToolShape given) : shape(std::move(given)) {}
@@ -49,6 +52,7 @@ class Views {
   };
 
   std::vector<std::reference_wrapper<const ToolState>> present_tools() const;
+  void choose_arrows();
   void update_tools(const Snapshot& snapshot, const Plane& cut);
   void make_normal_arrows(ToolState& tool, const Plane& cut) const;
   void add_wall(DrawList& list, const Snapshot& snapshot, const std::optional<NodePaint>& paint) const;
@@ -69,11 +73,13 @@ class Views {
                    const Range& range) const;
 
   FrameOptions options_;
-  const Theme& theme_;
+  const Theme* theme_;
   SheetShape sheet_;
   std::vector<ToolState> tools_;
+  std::vector<Vec3> first_points_;
   std::vector<int> arrow_nodes_;
   Bounds bounds_;
+  double sheet_size_ = 0.0;  ///< diagonal of the first sheet's box [mm]
   double arrow_size_ = 0.0;  ///< length of the longest arrow [mm]
   double largest_angle_ = 0.0;
 };

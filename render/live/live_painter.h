@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 
 #include "render/image/image.h"
 #include "render/live/live_view.h"
@@ -21,8 +22,14 @@ class LivePainter {
 
   const RendererInfo& info() const;
 
-  /// Throws InputError for a view that cannot be drawn (see check_live_view()).
+  /// Throws InputError for a view that cannot be drawn (see check_live_view()). What a snapshot needs is kept
+  /// for its next pictures, and the snapshot with it: a few of them at most.
+  Image paint(const LiveView& view, const std::shared_ptr<const Snapshot>& snapshot);
+  /// The same without keeping anything: every picture costs the whole work.
   Image paint(const LiveView& view, const Snapshot& snapshot);
+
+  /// What the colours of the last picture cover; absent where its view has no scalar.
+  std::optional<Range> last_range() const;
 
  private:
   struct Impl;

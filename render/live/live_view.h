@@ -33,6 +33,8 @@ struct LiveView {
   std::string theme = "light";  ///< light | dark
   bool has_text = true;         ///< legend, title and time
   std::vector<int> marked;      ///< nodes with a ring around them
+
+  bool operator==(const LiveView&) const = default;
 };
 
 /// Throws InputError naming the field out of its range, and what is allowed.
