@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The ledger of detachment: what let go, when, and whether to believe it. A click flies there and then.
+import {get} from './api.js';
+import {button, el, replace, set_text} from './dom.js';
+import {format} from './numbers.js';
+import {sort_table} from './sort_table.js';
+import {store} from './store.js';
+import {show_time} from './timeline.js';
+
+const number = (value) => format(value);
+const verdict = {key: 'verdict', caption: 'Verdict', kind: (row) => `verdict ${row.verdict}`};
+const kPatches = [
+  {key: 'patch', caption: 'Patch'}, {key: 'node_count', caption: 'Nodes'}, {key: 'tool', caption: 'Tool'},
+  {key: 'first_increment', caption: 'Incr.', title: 'First increment'}, {key: 'first_time_s', caption: 'Time s', format: number},
+  {key: 'gap_reached_mm', caption: 'Gap mm', title: 'Largest gap reached', format: (value, row) => (row.left_reach ? 'open' : format(value))},
+  {key: 'came_back', caption: 'Back', title: 'Nodes that came back'}, verdict
+];
+const kEpisodes = [
+  {key: 'node', caption: 'Node'}, {key: 'tool', caption: 'Tool'}, {key: 'let_go_increment', caption: 'Incr.'},
+  {key: 'let_go_time_s', caption: 'Time s', format: number}, {key: 'release_force_N', caption: 'Force N', title: 'Normal force as it let go', format: number},
+  {key: 'gap_reached_mm', caption: 'Gap mm', format: (value, row) => (row.left_reach ? 'open' : format(value))}, {key: 'toggles', caption: 'Toggles'}, verdict
+];
+const parts = {};
+const sorts = {patches: {key: 'first_increment', is_down: false}, episodes: {key: 'let_go_increment', is_down: false}};
+let ledger = {patches: [], episodes: []}, kind = 'patches', loaded_for = '', fly = () => {};
+
+/// fly_there(place, size [mm], normal)
+export function build_ledger(root, fly_there) {
+  fly = fly_there;
+  parts.kind = el('select', {id: 'ledger-kind', 'aria-label': 'Rows', onchange: () => { kind = parts.kind.value; draw(); }},
+                  el('option', {value: 'patches'}, 'Patches'), el('option', {value: 'episodes'}, 'Nodes'));
+  parts.filter = el('select', {id: 'ledger-filter', 'aria-label': 'Verdict', onchange: draw},
+                    ['all verdicts', 'physical', 'noise', 'chatter'].map((name, i) => el('option', {value: i ? name : ''}, name)));
+  parts.note = el('p', {class: 'faint', role: 'status'});
+  parts.table = el('div', {class: 'scroll'});
+  parts.reason = el('div', {class: 'reason', id: 'ledger-reason', role: 'status', hidden: true});
+  replace(root, el('div', {class: 'row'}, parts.kind, parts.filter, el('span', {class: 'grow'}),
+                   button({text: 'Read again', title: 'Read the ledger of the run as it is now', id: 'ledger-load'}, () => load(true))),
+          parts.note, parts.reason, parts.table);
+  store.on(['tab', 'status'], () => load(false));
+}
+
+let is_loading = false, loaded_at = 0;
+async function load(is_asked) {
+  const status = store.get('status');
+  if (store.get('tab') !== 'ledger' || !status || is_loading) return;
+  const now = `${status.branch}.${status.increment}`;
+  const is_due = now !== loaded_for && (status.phase !== 'running' || Date.now() - loaded_at > 5000);
+  if (!is_asked && !is_due) return;
+  is_loading = true;
+  try {
+    ledger = await get('/api/ledger');
+    loaded_for = now;
+    loaded_at = Date.now();
+    draw();
+  } catch (error) {
+    loaded_for = now;
+    set_text(parts.note, `No ledger: ${error.message}`);
+  }
+  is_loading = false;
+}
+
+function draw() {
+  const is_patches = kind === 'patches', wanted = parts.filter.value;
+  const all = is_patches ? ledger.patches : ledger.episodes.filter((row) => row.let_go_increment !== null);
+  const rows = all.filter((row) => !wanted || row.verdict === wanted);
+  const count = (name) => all.filter((row) => row.verdict === name).length;
+  set_text(parts.note, all.length ? `${all.length} ${is_patches ? 'patches' : 'lettings go'}: ${count('physical')} physical, ${count('noise')} noise, ${count('chatter')} chatter`
+                                  : 'Nothing has let go so far.');
+  replace(parts.table, rows.length ? sort_table({id: 'ledger-table', columns: is_patches ? kPatches : kEpisodes, rows: rows.slice(0, 1000), sort: sorts[kind], choose}) : null);
+}
+
+function choose(row) {
+  const is_patch = 'node_count' in row;
+  const place = row.place_mm ?? row.centre_mm ?? [row.x_mm, row.y_mm, row.z_mm];
+  fly(place, is_patch ? Math.sqrt(Math.max(0, row.area_mm2 ?? 0)) : 0, null);
+  show_time(is_patch ? row.first_time_s : row.let_go_time_s);
+  store.set('selection', is_patch ? {nodes: row.nodes, summary: {}, is_patch: true} : {node: row.node});
+  show_reason(row, is_patch);
+}
+
+/// Why it is judged as it is: of a patch, the words of its nodes' episodes.
+function show_reason(row, is_patch) {
+  const reasons = is_patch ? ledger.episodes.filter((one) => one.patch === row.patch && one.reason) : [row];
+  const title = is_patch ? `Patch ${row.patch}: ${row.verdict}` : `Node ${row.node}: ${row.verdict}`;
+  const details = is_patch ? `Increments ${row.first_increment} to ${row.last_increment}; ${(row.causes ?? []).join(', ')} while ${(row.drives ?? []).join(', ')}; limited by ${(row.limited_by ?? []).join(', ')}.`
+                           : `${row.cause ?? ''} while ${row.drive ?? ''}; touched at ${format(row.touched_time_s)} s, let go at ${format(row.let_go_time_s)} s${row.back_time_s !== null && row.back_time_s !== undefined ? `, back at ${format(row.back_time_s)} s` : ''}.`;
+  replace(parts.reason, el('strong', {}, title), el('p', {}, details),
+          el('ul', {}, reasons.slice(0, 6).map((one) => el('li', {}, is_patch ? `Node ${one.node}: ${one.reason}` : one.reason))),
+          reasons.length > 6 ? el('p', {class: 'faint'}, `and ${reasons.length - 6} more nodes (choose "Nodes" above)`) : null);
+  parts.reason.hidden = false;
+}
