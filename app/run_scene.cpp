@@ -8,8 +8,8 @@
 #include "app/frame_sink.h"
 #include "app/interrupt.h"
 #include "app/record_run.h"
+#include "app/scene_record.h"
 #include "solver/base/error.h"
-#include "solver/import/tool_report.h"
 #include "solver/scene/scene_reader.h"
 #include "solver/session/accuracy_choices.h"
 
@@ -33,32 +33,6 @@ void check_look_at_node(const Scene& scene, const SnapshotModel& model) {
                      ": key 'frames.look_at_node': " + std::to_string(scene.frames.look_at_node) +
                      " is out of range; allowed: 0 to " + std::to_string(last) + " (the nodes of the sheet)");
   }
-}
-
-/// Health of the tool meshes, said before the run: a poor mesh spoils a good scene.
-std::map<std::string, std::string> inspect_tools(const Scene& scene) {
-  std::map<std::string, std::string> texts;
-  for (const auto& [name, tool] : scene.tools) {
-    if (tool.shape != "mesh") continue;
-    const ToolReport report = inspect_tool(tool, name, scene.directory, {});
-    if (!report.errors.empty()) throw InputError(scene.file + ": " + report.errors.front());
-    for (const std::string& warning : report.warnings) std::fprintf(stderr, "warning: %s\n", warning.c_str());
-    texts[name] = format_tool_report(report);
-  }
-  return texts;
-}
-
-RunRecord make_record(const Scene& scene, const std::vector<SceneOverride>& overrides, int threads) {
-  RunRecord record;
-  record.tool_reports = inspect_tools(scene);
-  record.scene_file = scene.file;
-  record.scene_text = read_whole_file(scene.file);
-  for (const SceneOverride& item : overrides) record.overrides.push_back(item.key + "=" + item.value);
-  record.threads = threads;
-  record.end_time = scene.end_time();
-  record.accuracy = scene.accuracy;
-  record.choices = scene.choices;
-  return record;
 }
 
 void describe_results(const ResultFolder& folder, const RecordedRun& run, const Scene& scene,
@@ -99,7 +73,7 @@ ExitCode run_scene(const Arguments& arguments) {
   }
   check_look_at_node(scene, run.snapshot_model());
   const std::string renderer = has_frames ? check_renderer(1) : "";
-  RunRecord record = make_record(run.scene(), overrides, threads);
+  RunRecord record = make_scene_record(run.scene(), overrides, threads);
   record.renderer = renderer;
 
   // All input is accepted: from here on there is a folder.

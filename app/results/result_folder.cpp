@@ -18,7 +18,9 @@ namespace fs = std::filesystem;
 const std::regex& known_files() {
   // Files under way have a dot before and ".part" after their name.
   static const std::regex pattern(
-      R"((\.?(summary\.json|history\.csv|events\.csv|model\.json|scene\.toml|overrides\.txt|states\.pvd))"
+      R"((branches/\d+/)?(\.?(summary\.json|history\.csv|events\.csv|model\.json|scene\.toml|overrides\.txt))"
+      R"(|\.?states\.pvd)"
+      R"(|\.?(journal\.jsonl|branch\.json))"
       R"(|states/\.?\d{5,}\.vtp|tools/\.?[A-Za-z0-9_-]+\.(vtp|txt))"
       R"(|frames/[a-z-]+(-\d+)?/\.?\d{5,}\.(png|json)|frames/\.?[a-z-]+(-\d+)?\.(webp|mp4))"
       R"(|check/\.?(index\.html|junit\.xml)|check/[a-z-]+/\.?\d{5,}-(expected|got|difference)\.png)(\.part)?)");

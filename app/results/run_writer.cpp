@@ -4,6 +4,7 @@
 #include <sys/resource.h>
 
 #include <algorithm>
+#include <cstdlib>
 
 #include "app/results/json.h"
 #include "app/results/state_file.h"
@@ -57,6 +58,28 @@ std::string make_history_row(const IncrementReport& r) {
   row.add(r.thickness_min).add(r.thickness_max);
   for (const double quantity : r.quantities) row.add(quantity);
   return row.end();
+}
+
+/// The lines of a table, without its head, whose first cell is at most `increment`.
+std::string take_rows(const std::string& text, int increment) {
+  std::string rows;
+  std::size_t start = text.find('\n');
+  start = start == std::string::npos ? text.size() : start + 1;
+  while (start < text.size()) {
+    const std::size_t end = std::min(text.find('\n', start), text.size() - 1) + 1;
+    if (std::atoi(text.c_str() + start) > increment) break;
+    rows += text.substr(start, end - start);
+    start = end;
+  }
+  return rows;
+}
+
+/// States never change once they are written: two folders may share one file.
+void link_or_copy(const std::filesystem::path& from, const std::filesystem::path& to) {
+  std::error_code error;
+  std::filesystem::create_hard_link(from, to, error);
+  if (error) std::filesystem::copy_file(from, to, error);
+  if (error) throw EnvironmentError(to.string() + ": cannot be written: " + error.message());
 }
 
 Json make_wall_times(const PhaseTimes& solver, const ProgramTimes& program) {
@@ -113,9 +136,7 @@ RunWriter::RunWriter(ResultFolder folder, const RunRecord& record, const Snapsho
     : folder_(std::move(folder)), record_(record), history_(folder_.history()), events_(folder_.events()) {
   for (const SnapshotModel::Tool& tool : model.tools) tool_names_.push_back(tool.name);
   write_whole_file(folder_.scene(), record.scene_text);
-  std::string overrides;
-  for (const std::string& item : record.overrides) overrides += item + "\n";
-  write_whole_file(folder_.overrides(), overrides);
+  set_overrides(record.overrides);
   write_model(model, folder_.path);
   for (const auto& [name, report] : record.tool_reports) {
     write_whole_file(folder_.path / "tools" / (name + ".txt"), report);
@@ -145,10 +166,14 @@ void RunWriter::add_increment(const IncrementReport& report) {
 }
 
 void RunWriter::add_state(const Snapshot& snapshot) {
-  if (!state_times_.empty() && snapshot.increment == last_state_increment_) return;
+  if (!state_increments_.empty() && snapshot.increment == state_increments_.back()) return;
   write_state(snapshot, folder_.path / ResultFolder::state_name(states()));
   state_times_.push_back(snapshot.time);
-  last_state_increment_ = snapshot.increment;
+  state_increments_.push_back(snapshot.increment);
+  write_state_index();
+}
+
+void RunWriter::write_state_index() {
   std::string index =
       "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"1.0\" byte_order=\"LittleEndian\">\n  "
       "<Collection>\n";
@@ -157,6 +182,25 @@ void RunWriter::add_state(const Snapshot& snapshot) {
              ResultFolder::state_name(static_cast<int>(i)) + "\"/>\n";
   }
   write_whole_file(folder_.state_index(), index + "  </Collection>\n</VTKFile>\n");
+}
+
+void RunWriter::set_overrides(const std::vector<std::string>& overrides) {
+  record_.overrides = overrides;
+  std::string text;
+  for (const std::string& item : overrides) text += item + "\n";
+  write_whole_file(folder_.overrides(), text);
+}
+
+void RunWriter::carry_over(const RunWriter& from, int increment) {
+  events_.append(take_rows(read_whole_file(from.folder_.events()), increment));
+  history_.append(take_rows(read_whole_file(from.folder_.history()), increment));
+  for (std::size_t i = 0; i < from.state_increments_.size() && from.state_increments_[i] <= increment; ++i) {
+    const std::string name = ResultFolder::state_name(states());
+    link_or_copy(from.folder_.path / ResultFolder::state_name(static_cast<int>(i)), folder_.path / name);
+    state_times_.push_back(from.state_times_[i]);
+    state_increments_.push_back(from.state_increments_[i]);
+  }
+  write_state_index();
 }
 
 void RunWriter::finish(const RunSummary& summary, const ProgramTimes& times) {

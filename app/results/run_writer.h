@@ -43,12 +43,20 @@ class RunWriter {
   /// A state of an increment that is already there is not written twice.
   void add_state(const Snapshot& snapshot);
   void finish(const RunSummary& summary, const ProgramTimes& times);
+  /// Takes over what another run of the same model has written up to `increment`; before anything else is
+  /// added.
+  void carry_over(const RunWriter& from, int increment);
+  /// What replaces keys of the scene from now on.
+  void set_overrides(const std::vector<std::string>& overrides);
 
   const ResultFolder& folder() const { return folder_; }
   int states() const { return static_cast<int>(state_times_.size()); }
+  /// Where the state that was added last lies.
+  std::filesystem::path last_state() const { return folder_.path / ResultFolder::state_name(states() - 1); }
 
  private:
   std::string tool_name(int tool) const;
+  void write_state_index();
 
   ResultFolder folder_;
   RunRecord record_;
@@ -56,7 +64,7 @@ class RunWriter {
   LineFile history_;
   LineFile events_;
   std::vector<double> state_times_;
-  int last_state_increment_ = -1;
+  std::vector<int> state_increments_;
 };
 
 /// Most memory that the process ever held [MB].

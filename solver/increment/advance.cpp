@@ -37,9 +37,9 @@ double find_corner(const Model& model, const State& state) {
   return corner;
 }
 
-/// End of the next increment: no farther than a corner of any path.
-Target make_target(const Model& model, const State& state, double dt, double corner) {
-  const double end = std::min(state.time + dt, corner);
+/// End of the next increment: no farther than a corner of any path, or a halt.
+Target make_target(const Model& model, const State& state, double dt, double farthest) {
+  const double end = std::min(state.time + dt, farthest);
   Target target;
   target.time = end;
   target.is_turning = state.is_at_corner;
@@ -181,15 +181,15 @@ void report_failure(const Model& model, const State& state, const Attempt& attem
 
 }  // namespace
 
-IncrementReport advance(const Model& model, State& state, Scratch& scratch) {
+IncrementReport advance(const Model& model, State& state, Scratch& scratch, double halt_time) {
   IncrementReport report;
   const int factorisations_before = scratch.factorisations;
   const double floor = model.increment.smallest * model.end_time;
   double dt = std::max(state.next_dt, floor);
   bool error_limited = false;
-  const double corner = find_corner(model, state);
+  const double corner = find_corner(model, state), farthest = std::min(corner, halt_time);
   for (int tries = 0;; ++tries) {
-    Target target = make_target(model, state, dt, corner);
+    Target target = make_target(model, state, dt, farthest);
     // The coupling of friction with the normal force is not in the tangent: where it keeps the corrector from
     // settling, the bounds stay behind by one correction.
     target.renews_friction = tries == 0;
