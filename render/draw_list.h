@@ -29,7 +29,8 @@ struct SurfaceItem {
   Range range{};                       ///< of the values
   double opacity = 1.0;
   enum class Faces { kAll, kFront, kBack } faces = Faces::kAll;
-  bool is_cut = false;  ///< by the draw list's cut
+  bool is_cut = false;     ///< by the draw list's cut
+  bool is_clipped = true;  ///< by the draw list's clip plane
 };
 
 struct LineItem {
@@ -38,6 +39,7 @@ struct LineItem {
   double width = 1.0;  ///< [px] of the finished picture of 720 rows
   double opacity = 1.0;
   bool is_cut = false;
+  bool is_clipped = true;
 };
 
 struct Legend {
@@ -67,7 +69,8 @@ struct CameraPose {
 struct DrawList {
   std::vector<SurfaceItem> surfaces;  ///< drawn in order: translucent ones last
   std::vector<LineItem> lines;
-  std::optional<Plane> cut;  ///< cut items are drawn behind it, where its normal points away from
+  std::optional<Plane> cut;   ///< cut items are drawn behind it, where its normal points away from
+  std::optional<Plane> clip;  ///< nothing is drawn on the side of its normal
   Legend legend;
 };
 

@@ -10,15 +10,16 @@
 namespace hydroscope {
 namespace {
 
+constexpr double kGround = 0.72;  // opacity of panels behind words that mostly lie beside the part
+constexpr int kLeastWidth = 240, kLeastHeight = 135;  // [px] of a picture that has room for letters
+
 /// Sizes for a picture of 720 rows, scaled with it.
 class Layout {
  public:
   Layout(Image& image, const Theme& given)
-      : canvas(image),
-        theme(given),
-        width(image.width),
-        height(image.height),
-        scale_(std::clamp(std::min(image.height / 720.0, image.width / 1000.0), 0.5, 6.0)) {}
+      : Layout(image, given, std::clamp(std::min(image.height / 720.0, image.width / 1000.0), 0.5, 6.0)) {}
+  Layout(Image& image, const Theme& given, double scale)
+      : canvas(image), theme(given), width(image.width), height(image.height), scale_(scale) {}
 
   int px(double at_720) const { return static_cast<int>(std::lround(at_720 * scale_)); }
 
@@ -30,19 +31,31 @@ class Layout {
   double scale_;
 };
 
-/// Right end of the lines drawn [px].
-int draw_heading(Layout& layout, const Legend& legend, const std::string& title,
-                 const std::string& time_label) {
+struct Words {
+  const std::string& title;
+  const std::string& time_label;
+  /// Anything may lie below: panels behind all words, and the title only where it finds room.
+  bool is_live;
+};
+
+/// Right end of the lines drawn [px], which should not go beyond `room`.
+int draw_heading(Layout& layout, const Legend& legend, const Words& words, int room) {
   const int x = layout.px(24);
   Canvas::TextStyle heading{.size = layout.px(25), .colour = layout.theme.text, .is_bold = true};
-  layout.canvas.text(x, layout.px(16), legend.heading, heading);
-  const int after = Canvas::text_size(legend.heading, heading)[0];
   const Canvas::TextStyle faint{.size = layout.px(18), .colour = layout.theme.faint_text};
   const Canvas::TextStyle plain{.size = layout.px(18), .colour = layout.theme.text};
-  const int beside = x + after + layout.px(14);
-  layout.canvas.text(beside, layout.px(22), title, faint);
-  layout.canvas.text(x, layout.px(50), time_label, plain);
-  return std::max(beside + Canvas::text_size(title, faint)[0], x + Canvas::text_size(time_label, plain)[0]);
+  const int after = x + Canvas::text_size(legend.heading, heading)[0];
+  const int beside = after + layout.px(14);
+  const int title_end = beside + Canvas::text_size(words.title, faint)[0];
+  const bool has_title = !words.is_live || title_end <= room;
+  const int end = std::max(has_title ? title_end : after, x + Canvas::text_size(words.time_label, plain)[0]);
+  if (words.is_live)
+    layout.canvas.fill(layout.px(12), layout.px(10), end + layout.px(10) - layout.px(12), layout.px(66),
+                       layout.theme.panel, kGround);
+  layout.canvas.text(x, layout.px(16), legend.heading, heading);
+  if (has_title) layout.canvas.text(beside, layout.px(22), words.title, faint);
+  layout.canvas.text(x, layout.px(50), words.time_label, plain);
+  return end;
 }
 
 /// The panel of swatches and notes at the right: what it takes.
@@ -131,13 +144,16 @@ int draw_bar(Layout& layout, const Legend::Bar& bar, int bar_height, int top) {
   return top + panel_height + layout.px(14);
 }
 
-/// Where the legend begins: beside title and time label, or below them where it would meet them.
-int find_legend_top(const Layout& layout, const Legend& legend, const SwatchPanel& swatches,
-                    int heading_end) {
+/// Left end of the legend's panels [px].
+int find_legend_left(const Layout& layout, const Legend& legend, const SwatchPanel& swatches) {
   int widest = swatches.width;
   for (const Legend::Bar& bar : legend.bars) widest = std::max(widest, BarPanel(layout, bar).width);
-  const bool meets = heading_end + layout.px(8) > layout.width - layout.px(20) - widest;
-  return layout.px(meets ? 80 : 20);
+  return layout.width - layout.px(20) - widest;
+}
+
+/// Where the legend begins: beside title and time label, or below them where it would meet them.
+int find_legend_top(const Layout& layout, int legend_left, int heading_end) {
+  return layout.px(heading_end + layout.px(8) > legend_left ? 80 : 20);
 }
 
 /// Bars shrink before the swatches below them leave the picture.
@@ -184,18 +200,15 @@ void draw_axes(Layout& layout, const CameraPose& camera) {
   }
 }
 
-}  // namespace
-
-std::vector<PixelBox> draw_overlay(Image& image, const Legend& legend, const std::string& title,
-                                   const std::string& time_label, const CameraPose& camera,
-                                   const Theme& theme) {
-  Layout layout(image, theme);
+std::vector<PixelBox> draw_all(Layout& layout, const Legend& legend, const Words& words,
+                               const CameraPose& camera) {
   std::vector<PixelBox> boxes;
   const auto close_box = [&] { boxes.push_back(layout.canvas.take_touched()); };
-  const int heading_end = draw_heading(layout, legend, title, time_label);
-  close_box();
   const SwatchPanel swatches(layout, legend);
-  int top = find_legend_top(layout, legend, swatches, heading_end);
+  const int legend_left = find_legend_left(layout, legend, swatches);
+  const int heading_end = draw_heading(layout, legend, words, legend_left - layout.px(16));
+  close_box();
+  int top = find_legend_top(layout, legend_left, heading_end);
   const int bar_height = find_bar_height(layout, legend, swatches, top);
   for (const Legend::Bar& bar : legend.bars) {
     top = draw_bar(layout, bar, bar_height, top);
@@ -203,10 +216,33 @@ std::vector<PixelBox> draw_overlay(Image& image, const Legend& legend, const std
   }
   draw_swatches(layout, legend, swatches, top);
   close_box();
+  if (words.is_live)
+    layout.canvas.fill(layout.px(8), layout.height - layout.px(122), layout.px(118), layout.px(114),
+                       layout.theme.panel, kGround);
   draw_axes(layout, camera);
   close_box();
   std::erase(boxes, PixelBox{});
   return boxes;
+}
+
+}  // namespace
+
+std::vector<PixelBox> draw_overlay(Image& image, const Legend& legend, const std::string& title,
+                                   const std::string& time_label, const CameraPose& camera,
+                                   const Theme& theme) {
+  Layout layout(image, theme);
+  return draw_all(layout, legend, {title, time_label, false}, camera);
+}
+
+std::vector<PixelBox> draw_overlay(Image& image, const Legend& legend, const std::string& title,
+                                   const std::string& time_label, const CameraPose& camera,
+                                   const Theme& theme, double letters) {
+  if (image.width < kLeastWidth || image.height < kLeastHeight) return {};
+  const double usual = std::min(image.height / 720.0, image.width / 1200.0);
+  // 11 pixels for a label, but no legend that fills a very small picture.
+  const double least = std::min(0.70, image.height / 360.0);
+  Layout layout(image, theme, letters * std::clamp(1.1 * usual, least, 6.0));
+  return draw_all(layout, legend, {title, time_label, true}, camera);
 }
 
 double calc_report_height(int lines) { return lines == 0 ? 0.0 : (lines * 19.0 + 34.0) / 720.0; }

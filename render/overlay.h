@@ -15,6 +15,11 @@ namespace hydroscope {
 std::vector<PixelBox> draw_overlay(Image& image, const Legend& legend, const std::string& title,
                                    const std::string& time_label, const CameraPose& camera,
                                    const Theme& theme);
+/// The same for small pictures too: letters grow less than the picture shrinks, `letters` times their size,
+/// and words that find no room are left out.
+std::vector<PixelBox> draw_overlay(Image& image, const Legend& legend, const std::string& title,
+                                   const std::string& time_label, const CameraPose& camera,
+                                   const Theme& theme, double letters);
 
 /// Lines of a report in a panel along the lower edge, in columns as given.
 void draw_report(Image& image, const std::vector<std::string>& lines, const Theme& theme);

@@ -60,6 +60,13 @@ std::vector<std::array<int, 4>> find_seen(const Surface& surface, SurfaceItem::F
   return seen;
 }
 
+void set_plane(vtkPlane& drawn, const std::optional<Plane>& plane) {
+  if (!plane) return;
+  const Vec3 inward = -plane->normal;
+  drawn.SetOrigin(plane->point.data());
+  drawn.SetNormal(inward.data());
+}
+
 /// One actor and what it shows now.
 struct Layer {
   vtkNew<vtkPolyDataMapper> mapper;
@@ -69,13 +76,13 @@ struct Layer {
   Vec3f direction = Vec3f::Zero();
   const ColourTable* table = nullptr;
   Range range;
-  bool is_cut = false;
+  bool is_cut = false, is_clipped = false;
 };
 
 /// The actors of one view.
 struct Scene {
   vtkNew<vtkRenderer> renderer;
-  vtkNew<vtkPlane> cut;
+  vtkNew<vtkPlane> cut, clip;
   std::vector<std::unique_ptr<Layer>> surfaces, lines;
 };
 
@@ -103,9 +110,9 @@ struct Stage::Impl {
   Scene& scene(int slot);
   Layer& layer(Scene& scene, std::vector<std::unique_ptr<Layer>>& layers, std::size_t index);
   void show(Scene& scene, const DrawList& list, const Vec3& towards_viewer);
-  void show_surface(Layer& layer, const SurfaceItem& item, Scene& scene, const Vec3f& direction);
-  void show_line(Layer& layer, const LineItem& item, Scene& scene, const Vec3& lift);
-  void set_cut(Layer& layer, bool is_cut, Scene& scene);
+  void show_surface(Layer& layer, const SurfaceItem& item, const Vec3f& direction);
+  void show_line(Layer& layer, const LineItem& item, const Vec3& lift);
+  static void set_planes(Layer& layer, bool is_cut, bool is_clipped, Scene& scene);
   static void set_camera(Scene& scene, const CameraPose& pose);
 
   Options options;
@@ -138,14 +145,16 @@ Layer& Stage::Impl::layer(Scene& scene, std::vector<std::unique_ptr<Layer>>& lay
   return *layers[index];
 }
 
-void Stage::Impl::set_cut(Layer& layer, bool is_cut, Scene& scene) {
-  if (layer.is_cut == is_cut) return;
+void Stage::Impl::set_planes(Layer& layer, bool is_cut, bool is_clipped, Scene& scene) {
+  if (layer.is_cut == is_cut && layer.is_clipped == is_clipped) return;
   layer.is_cut = is_cut;
+  layer.is_clipped = is_clipped;
   layer.mapper->RemoveAllClippingPlanes();
   if (is_cut) layer.mapper->AddClippingPlane(scene.cut);
+  if (is_clipped) layer.mapper->AddClippingPlane(scene.clip);
 }
 
-void Stage::Impl::show_surface(Layer& layer, const SurfaceItem& item, Scene& scene, const Vec3f& direction) {
+void Stage::Impl::show_surface(Layer& layer, const SurfaceItem& item, const Vec3f& direction) {
   vtkProperty& property = *layer.actor->GetProperty();
   const bool is_whole = options.is_turned_often || item.faces == SurfaceItem::Faces::kAll;
   const bool is_other_part = !is_whole && (layer.faces != item.faces || layer.direction != direction);
@@ -175,11 +184,10 @@ void Stage::Impl::show_surface(Layer& layer, const SurfaceItem& item, Scene& sce
   property.SetLighting(!options.is_flat);
   property.SetAmbient(0.0);
   property.SetDiffuse(1.0);
-  set_cut(layer, item.is_cut, scene);
   layer.actor->SetVisibility(!item.surface->polygons.empty());
 }
 
-void Stage::Impl::show_line(Layer& layer, const LineItem& item, Scene& scene, const Vec3& lift) {
+void Stage::Impl::show_line(Layer& layer, const LineItem& item, const Vec3& lift) {
   vtkProperty& property = *layer.actor->GetProperty();
   if (layer.shape != item.lines) {
     layer.shape = item.lines;
@@ -194,24 +202,30 @@ void Stage::Impl::show_line(Layer& layer, const LineItem& item, Scene& scene, co
       static_cast<float>(item.width * options.smoothing * std::max(1.0, options.height / 720.0)));
   // Along the line of sight a parallel projection does not show the shift.
   layer.actor->SetPosition(lift.x(), lift.y(), lift.z());
-  set_cut(layer, item.is_cut, scene);
   layer.actor->SetVisibility(!item.lines->lines.empty());
 }
 
 void Stage::Impl::show(Scene& scene, const DrawList& list, const Vec3& lift) {
-  if (list.cut) {
-    const Vec3 inward = -list.cut->normal;
-    scene.cut->SetOrigin(list.cut->point.data());
-    scene.cut->SetNormal(inward.data());
-  }
+  set_plane(*scene.cut, list.cut);
+  set_plane(*scene.clip, list.clip);
   const Vec3f direction = lift.normalized().cast<float>();
-  for (std::size_t i = 0; i < list.surfaces.size(); ++i)
-    show_surface(layer(scene, scene.surfaces, i), list.surfaces[i], scene, direction);
-  for (std::size_t i = list.surfaces.size(); i < scene.surfaces.size(); ++i)
-    scene.surfaces[i]->actor->VisibilityOff();
-  for (std::size_t i = 0; i < list.lines.size(); ++i)
-    show_line(layer(scene, scene.lines, i), list.lines[i], scene, lift);
-  for (std::size_t i = list.lines.size(); i < scene.lines.size(); ++i) scene.lines[i]->actor->VisibilityOff();
+  const auto hide_after = [](std::vector<std::unique_ptr<Layer>>& layers, std::size_t count) {
+    for (std::size_t i = count; i < layers.size(); ++i) layers[i]->actor->VisibilityOff();
+  };
+  for (std::size_t i = 0; i < list.surfaces.size(); ++i) {
+    const SurfaceItem& item = list.surfaces[i];
+    Layer& shown = layer(scene, scene.surfaces, i);
+    show_surface(shown, item, direction);
+    set_planes(shown, item.is_cut, item.is_clipped && list.clip, scene);
+  }
+  hide_after(scene.surfaces, list.surfaces.size());
+  for (std::size_t i = 0; i < list.lines.size(); ++i) {
+    const LineItem& item = list.lines[i];
+    Layer& shown = layer(scene, scene.lines, i);
+    show_line(shown, item, lift);
+    set_planes(shown, item.is_cut, item.is_clipped && list.clip, scene);
+  }
+  hide_after(scene.lines, list.lines.size());
 }
 
 void Stage::Impl::set_camera(Scene& scene, const CameraPose& pose) {

@@ -307,6 +307,11 @@ void Views::draw_scalar(DrawList& list, const std::string& view, const Snapshot&
 
 DrawList Views::make_draw_list(const std::string& view, const Snapshot& snapshot, const CameraPose& camera,
                                const std::map<std::string, Range>& ranges, double since) {
+  return make_draw_list(view, snapshot, camera, ranges, calc_cut(options_, camera, bounds_), since);
+}
+
+DrawList Views::make_draw_list(const std::string& view, const Snapshot& snapshot, const CameraPose& camera,
+                               const std::map<std::string, Range>& ranges, const Plane& cut, double since) {
   check_snapshot(snapshot);
   require(snapshot.tool_translation.size() == tools_.size(), "the tools of a sequence stay the same");
   for (const std::string& name : range_names(view)) {
@@ -315,7 +320,7 @@ DrawList Views::make_draw_list(const std::string& view, const Snapshot& snapshot
       throw ContractError("view '" + view + "' needs a range '" + name + "' that is not empty");
   }
   DrawList list;
-  list.cut = calc_cut(options_, camera, bounds_);
+  list.cut = cut;
   update_tools(snapshot, *list.cut);
   if (view == "contact-map") {
     draw_contact_map(list, snapshot);

@@ -27,6 +27,19 @@ class Views {
   DrawList make_draw_list(const std::string& view, const Snapshot& snapshot, const CameraPose& camera,
                           const std::map<std::string, Range>& ranges,
                           double since = std::numeric_limits<double>::quiet_NaN());
+  /// The same with a cut of the tools that is set.
+  DrawList make_draw_list(const std::string& view, const Snapshot& snapshot, const CameraPose& camera,
+                          const std::map<std::string, Range>& ranges, const Plane& cut,
+                          double since = std::numeric_limits<double>::quiet_NaN());
+
+  /// Cuts everything in the list by a plane and shows where it cuts the wall and the tools. The list may be
+  /// one of any snapshot of the sequence.
+  void add_clip(DrawList& list, const std::string& view, const Snapshot& snapshot, const Plane& plane) const;
+
+  /// Rings around nodes, `pixel` [mm] being one of a picture of 720 rows, on the face that is turned to the
+  /// viewer, and around all mirror images. Those beyond the list's clip plane are left out.
+  void add_marks(DrawList& list, const std::vector<int>& nodes, const Snapshot& snapshot,
+                 const Vec3& towards_viewer, double pixel) const;
 
   /// What the camera holds: see FrameOptions::bounds.
   const Bounds& bounds() const { return bounds_; }

@@ -95,8 +95,7 @@ void Canvas::blend(int x, int y, Rgb colour, double opacity) {
   touched_.include(x, y);
   std::uint8_t* pixel = image_.pixel(x, y);
   for (std::size_t c = 0; c < 3; ++c)
-    pixel[c] =
-        static_cast<std::uint8_t>(std::lround(pixel[c] + std::min(opacity, 1.0) * (colour[c] - pixel[c])));
+    pixel[c] = static_cast<std::uint8_t>(pixel[c] + std::min(opacity, 1.0) * (colour[c] - pixel[c]) + 0.5);
 }
 
 PixelBox Canvas::take_touched() { return std::exchange(touched_, {}); }

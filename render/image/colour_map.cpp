@@ -65,7 +65,8 @@ constexpr Theme kLight{.background_top = {214, 223, 233},
                        .line = {38, 46, 58},
                        .tool_line = {70, 84, 102},
                        .arrow = {28, 34, 44},
-                       .second_arrow = {28, 34, 44}};
+                       .second_arrow = {28, 34, 44},
+                       .section = {62, 72, 88}};
 constexpr Theme kDark{.background_top = {22, 26, 34},
                       .background_bottom = {52, 60, 72},
                       .text = {236, 240, 245},
@@ -77,7 +78,8 @@ constexpr Theme kDark{.background_top = {22, 26, 34},
                       .line = {14, 17, 22},
                       .tool_line = {186, 198, 212},
                       .arrow = {232, 236, 242},
-                      .second_arrow = {245, 247, 250}};
+                      .second_arrow = {245, 247, 250},
+                      .section = {222, 228, 236}};
 
 }  // namespace
 

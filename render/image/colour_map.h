@@ -38,6 +38,7 @@ struct Theme {
   Rgb panel, panel_frame;
   Rgb sheet, tool, line, tool_line;
   Rgb arrow, second_arrow;
+  Rgb section;  ///< where a clip plane cuts the wall
 };
 /// "light" or "dark"; throws InputError for another name.
 const Theme& theme(const std::string& name);

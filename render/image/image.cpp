@@ -2,6 +2,7 @@
 #include "render/image/image.h"
 
 #include <algorithm>
+#include <cstring>
 
 #include "solver/base/error.h"
 
@@ -33,10 +34,17 @@ Image reduced(const std::uint8_t* rows_from_below, int width, int height, int fa
   require(factor >= 1 && factor <= 8, "reduction factor between 1 and 8");
   Image image{width, height, {}};
   image.rgba.resize(4u * static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+  const std::size_t row_bytes = 4u * static_cast<std::size_t>(width);
+  if (factor == 1) {
+    for (int y = 0; y < height; ++y)
+      std::memcpy(image.pixel(0, y), rows_from_below + static_cast<std::size_t>(height - 1 - y) * row_bytes,
+                  row_bytes);
+    return image;
+  }
   const auto source_row = 4u * static_cast<std::size_t>(width) * static_cast<std::size_t>(factor);
   const auto weight = static_cast<std::uint16_t>(factor * factor);
   std::vector<std::uint16_t> sums(4u * static_cast<std::size_t>(width));
-  const auto add = factor == 1 ? add_row<1> : factor == 2 ? add_row<2> : add_row<0>;
+  const auto add = factor == 2 ? add_row<2> : add_row<0>;
   for (int y = 0; y < height; ++y) {
     sums.assign(sums.size(), weight / 2);
     const auto first = static_cast<std::size_t>(height - 1 - y) * static_cast<std::size_t>(factor);
@@ -60,6 +68,7 @@ void lay_on_ground(Image& image, Rgb top, Rgb bottom) {
           static_cast<unsigned>((above * top[c] + below * bottom[c] + image.height) / (2 * image.height));
     std::uint8_t* pixel = image.pixel(0, y);
     for (int x = 0; x < image.width; ++x, pixel += 4) {
+      if (pixel[3] == 255) continue;
       const unsigned uncovered = 255u - pixel[3];
       for (std::size_t c = 0; c < 3; ++c)
         pixel[c] =

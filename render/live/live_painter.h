@@ -25,7 +25,7 @@ class LivePainter {
   /// Throws InputError for a view that cannot be drawn (see check_live_view()). What a snapshot needs is kept
   /// for its next pictures, and the snapshot with it: a few of them at most.
   Image paint(const LiveView& view, const std::shared_ptr<const Snapshot>& snapshot);
-  /// The same without keeping anything: every picture costs the whole work.
+  /// The same for a snapshot that nobody shares: a copy is drawn, and every picture costs the whole work.
   Image paint(const LiveView& view, const Snapshot& snapshot);
 
   /// What the colours of the last picture cover; absent where its view has no scalar.

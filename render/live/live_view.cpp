@@ -50,6 +50,7 @@ void check_live_view(const LiveView& view) {
                       view.range->low < view.range->high))
     throw InputError("range = " + format_number(view.range->low) + ", " + format_number(view.range->high) +
                      ": must be two numbers, the lower one first");
+  check("text_scale", view.text_scale, 0.25, 4);
   check("number of marked nodes", static_cast<double>(view.marked.size()), 0, 10000);
   for (const int node : view.marked) check("marked", node, 0, 1e9);
 }

@@ -23,7 +23,8 @@ struct LiveView {
   int clip_axis = -1;           ///< 0 x, 1 y, 2 z; -1: none. Cuts sheet, tools and glyphs
   double clip_share = 0.5;      ///< where along the part's box, 0..1
   bool clip_flip = false;       ///< keep the other side
-  double tool_opacity = 0.35;   ///< 0: not drawn
+  double tool_opacity = 0.35;   ///< 0: not drawn; the view tool-normals shows them opaque
+  bool is_tool_cut = true;      ///< the tools' half towards the viewer is left out
   bool is_mirrored = true;      ///< show the whole part
   bool element_edges = false;   ///< of the deformed mesh
   bool feature_edges = true;    ///< of tools
@@ -32,6 +33,7 @@ struct LiveView {
   std::optional<Range> range;   ///< locked; absent: the snapshot's own, rounded
   std::string theme = "light";  ///< light | dark
   bool has_text = true;         ///< legend, title and time
+  double text_scale = 1.0;      ///< of the letters' usual size, which is readable down to 480 x 270
   std::vector<int> marked;      ///< nodes with a ring around them
 
   bool operator==(const LiveView&) const = default;
