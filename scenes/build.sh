@@ -17,21 +17,25 @@ install_packages() {
     return 0
   fi
   missing=$(find_missing_packages)
-  [ -n "$missing" ] || return 0
+  [ -z "$missing" ] || install_named "$missing"
+}
+
+# Installs the Debian packages that are named in one argument.
+install_named() {
   as_root=
   if [ "$(id -u)" -ne 0 ]; then
     if ! command -v sudo >/dev/null 2>&1; then
-      echo "These Debian packages are missing: $missing" >&2
-      echo "Ask an administrator to run: apt-get install $missing" >&2
+      echo "These Debian packages are missing: $1" >&2
+      echo "Ask an administrator to run: apt-get install $1" >&2
       return 1
     fi
     as_root=sudo
   fi
-  echo "Installing Debian packages: $missing"
+  echo "Installing Debian packages: $1"
   # shellcheck disable=SC2086  # words on purpose
-  if ! { $as_root apt-get update -qq && DEBIAN_FRONTEND=noninteractive $as_root apt-get install -y --no-install-recommends $missing; }; then
-    echo "Could not install: $missing" >&2
-    echo "Install these Debian packages and start again: apt-get install $missing" >&2
+  if ! { $as_root apt-get update -qq && DEBIAN_FRONTEND=noninteractive $as_root apt-get install -y --no-install-recommends $1; }; then
+    echo "Could not install: $1" >&2
+    echo "Install these Debian packages and start again: apt-get install $1" >&2
     return 1
   fi
 }
