@@ -85,10 +85,12 @@ Views::Views(const Snapshot& first, const FrameOptions& options)
     bounds_.include(options.later_sheet->greatest);
   }
   sheet_size_ = sheet_bounds.diagonal();
-  choose_arrows();
 }
 
 void Views::choose_arrows() {
+  if (arrows_chosen_ == options_.most_arrows && arrow_scale_ == options_.arrow_scale) return;
+  arrows_chosen_ = options_.most_arrows;
+  arrow_scale_ = options_.arrow_scale;
   for (ToolState& tool : tools_) {
     const int copies = static_cast<int>(tool.shape.reflections().size());
     const int share_of_arrows = std::max(1, options_.most_arrows / copies / static_cast<int>(tools_.size()));
@@ -108,12 +110,9 @@ void Views::choose_arrows() {
 
 void Views::restyle(const FrameOptions& options) {
   require(options.is_mirrored == options_.is_mirrored, "mirror images belong to what a view is made with");
-  const bool has_other_arrows =
-      options.most_arrows != options_.most_arrows || options.arrow_scale != options_.arrow_scale;
   const bool has_other_cut = options.is_tool_cut != options_.is_tool_cut;
   options_ = options;
   theme_ = &hydroscope::theme(options.theme);
-  if (has_other_arrows) choose_arrows();
   if (has_other_cut)
     for (ToolState& tool : tools_) tool.cut.point.setConstant(std::numeric_limits<double>::quiet_NaN());
 }
@@ -321,6 +320,7 @@ DrawList Views::make_draw_list(const std::string& view, const Snapshot& snapshot
   }
   DrawList list;
   list.cut = cut;
+  if (view == "tool-normals" || view == "slip") choose_arrows();
   update_tools(snapshot, *list.cut);
   if (view == "contact-map") {
     draw_contact_map(list, snapshot);

@@ -65,6 +65,7 @@ class Views {
   };
 
   std::vector<std::reference_wrapper<const ToolState>> present_tools() const;
+  /// Which nodes get arrows, and how long they are; again only where the options say something else.
   void choose_arrows();
   void update_tools(const Snapshot& snapshot, const Plane& cut);
   void make_normal_arrows(ToolState& tool, const Plane& cut) const;
@@ -91,6 +92,8 @@ class Views {
   std::vector<ToolState> tools_;
   std::vector<Vec3> first_points_;
   std::vector<int> arrow_nodes_;
+  int arrows_chosen_ = -1;
+  double arrow_scale_ = 0.0;
   Bounds bounds_;
   double sheet_size_ = 0.0;  ///< diagonal of the first sheet's box [mm]
   double arrow_size_ = 0.0;  ///< length of the longest arrow [mm]
