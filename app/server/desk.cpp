@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/server/desk.h"
+
+#include <set>
+
+#include "app/server/api_json.h"
+#include "solver/base/error.h"
+
+namespace hydroscope {
+namespace {
+
+std::shared_ptr<const Snapshot> find_first(const Workstation& workstation) {
+  const std::vector<KeptState> kept = workstation.kept_states();
+  if (!kept.empty()) {
+    auto first = workstation.kept(kept.front().branch, kept.front().increment);
+    if (first != nullptr) return first;
+  }
+  auto newest = workstation.newest();
+  if (newest == nullptr) throw InputError("there is no state that could be shown");
+  return newest;
+}
+
+}  // namespace
+
+Desk::Desk(Workstation& given, std::vector<std::string> settable_keys, const FramePainterFactory& painter,
+           int most_viewers)
+    : workstation(given),
+      settable(std::move(settable_keys)),
+      folder(given.folder()),
+      first(find_first(given)),
+      viewers(most_viewers),
+      frames(painter ? painter : make_live_painter(first)),
+      films(frames, [this](StateKey key) { return find_state(key); }),
+      news(given, [this](std::shared_ptr<const Snapshot> snapshot, int branch, bool is_solving) {
+        const StateKey key{branch, snapshot != nullptr ? snapshot->increment : 0};
+        frames.publish(std::move(snapshot), key, is_solving);
+      }) {}
+
+std::shared_ptr<const Snapshot> Desk::find_state(const std::optional<StateKey>& key) const {
+  if (!key) return workstation.newest();
+  return workstation.kept(key->branch, key->increment);
+}
+
+std::vector<StateKey> Desk::list_line(int branch) const {
+  std::set<int> increments;
+  for (const KeptState& kept : workstation.kept_states())
+    if (kept.branch <= branch) increments.insert(kept.increment);
+  std::vector<StateKey> line;
+  for (const int increment : increments) line.push_back({branch, increment});
+  return line;
+}
+
+Json Desk::make_status(const WorkstationStatus& status, const std::string& viewer) const {
+  return make_status_json(status, {viewers.count(), viewers.steering(Viewers::Time::clock::now()), viewer},
+                          frames.figures());
+}
+
+void Desk::close() {
+  news.close();
+  films.stop();
+  frames.stop();
+}
+
+}  // namespace hydroscope
