@@ -180,6 +180,32 @@ CommandSyntax make_inspect() {
   return inspect;
 }
 
+CommandSyntax make_serve() {
+  CommandSyntax serve;
+  serve.name = "serve";
+  serve.operands = {"SCENE|DIR"};
+  serve.summary = "Steer a scene, or look at results, in a browser.";
+  serve.options = {
+      {"--port", "", "N", "Port to listen at (default 0: any free one).", false, {}},
+      {"--host", "", "ADDRESS", "Address to listen at (default 127.0.0.1: this machine only).", false, {}},
+      {"--open", "", "", "Open the page in the browser of this machine.", false, {}},
+      {"--run", "", "", "Start at once; without it the run stands paused at the start.", false, {}},
+      {"--output", "-o", "DIR", "Folder for the results (default: results/NAME of the scene).", false, {}},
+      {"--force", "", "", "Replace the results of an earlier run in DIR.", false, {}},
+      kSet,
+      {"--threads", "", "N", "Threads of the solver; the result does not depend on it.", false, {}},
+  };
+  serve.details =
+      "Prints one line with an address that holds a secret token, made anew at each start: open it in a\n"
+      "browser. Several viewers may look on; one of them steers. Closing the browser does not end the run;\n"
+      "Ctrl-C does, after the increment under way, and keeps all results. From another machine:\n"
+      "ssh -L 8080:127.0.0.1:8080 HOST, with --port 8080.\n"
+      "\nexamples:\n  hydroscope serve scenes/square-bulge.toml -o results/try --open\n"
+      "  hydroscope serve results/square-bulge\n"
+      "\nThe addresses that programs may use: docs/workstation_api.md\n";
+  return serve;
+}
+
 CommandSyntax make_chart() {
   CommandSyntax chart;
   chart.name = "chart";
@@ -243,6 +269,7 @@ const std::vector<CommandSyntax>& command_syntaxes() {
       make_render(),
       make_check(),
       make_inspect(),
+      make_serve(),
       make_chart(),
       make_tool(),
       {"reference", {}, "", "Print the documentation of all scene keys (Markdown).", "", {}, {}},

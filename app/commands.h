@@ -15,6 +15,8 @@ ExitCode run_scene(const Arguments& arguments);
 ExitCode render_results(const Arguments& arguments);
 /// Compares saved states with an approved sequence.
 ExitCode check_results(const Arguments& arguments);
+/// Shows and steers a scene, or shows results, in a browser.
+ExitCode serve(const Arguments& arguments);
 /// Lists the detachments of a run and why they came.
 ExitCode inspect_contact(const Arguments& arguments);
 /// Runs a grid of settings over scenes and draws what it shows.

@@ -22,6 +22,7 @@ ExitCode run_command(const CommandSyntax& command, const std::vector<std::string
   if (command.name == "run") return run_scene(arguments);
   if (command.name == "render") return render_results(arguments);
   if (command.name == "check") return check_results(arguments);
+  if (command.name == "serve") return serve(arguments);
   if (command.name == "inspect") return inspect_contact(arguments);
   if (command.name == "chart") return chart_study(arguments);
   if (command.name == "tool") return inspect_tool_mesh(arguments);
