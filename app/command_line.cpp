@@ -35,7 +35,8 @@ std::string join(const std::vector<std::string>& words) {
 void check_operands(const CommandSyntax& syntax, const Arguments& arguments) {
   const size_t given = arguments.operands.size(), wanted = syntax.operands.size();
   const std::string usage = "; usage: hydroscope " + syntax.name + " " + join(syntax.operands) + " [options]";
-  if (given < wanted)
+  const std::string& instead = syntax.instead_of_operands;
+  if (given < wanted && (instead.empty() || !arguments.has(instead)))
     throw InputError("hydroscope " + syntax.name + ": " + syntax.operands[given] + " is missing" + usage);
   if (given > wanted)
     throw InputError("hydroscope " + syntax.name + ": '" + arguments.operands[wanted] + "' is too much" +

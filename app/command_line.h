@@ -25,6 +25,7 @@ struct CommandSyntax {
   std::string details;        ///< paragraphs and examples below the options
   std::vector<Option> options;
   std::vector<std::string> operand_choices;  ///< for completion
+  std::string instead_of_operands{};         ///< an option with which the operands may be left out
 };
 
 /// A parsed command line.

@@ -44,7 +44,14 @@ CommandSyntax make_run() {
       kSet,
       {"--threads", "", "N", "Threads of the solver; the result does not depend on it.", false, {}},
       {"--no-frames", "", "", "Draw nothing while solving (hydroscope render can do it later).", false, {}},
+      {"--replay",
+       "",
+       "JOURNAL",
+       "Repeat the acts of a steered run, headless; SCENE may be left out.",
+       false,
+       {}},
   };
+  run.instead_of_operands = "--replay";
   for (const Option& option : frame_options()) run.options.push_back(option);
   run.details =
       "DIR is made only after the scene and all its files have been accepted. It gets history.csv (a row an\n"
@@ -55,8 +62,34 @@ CommandSyntax make_run() {
       "once.\n"
       "\nexample:\n  hydroscope run scenes/job-b.toml -o results/mu01 --set tool.die.friction=0.1 --views "
       "thickness\n"
+      "\nWith --replay the journal.jsonl of a run that was steered is repeated; the same states come out, "
+      "bit for "
+      "bit\n(default folder: results/NAME-replay). See docs/steering.md.\n"
       "\nAll scene keys: hydroscope reference, or docs/scene_reference.md.\n";
   return run;
+}
+
+CommandSyntax make_console() {
+  CommandSyntax console;
+  console.name = "console";
+  console.operands = {"SCENE"};
+  console.operand_files = "toml";
+  console.summary = "Steer an analysis from the terminal or a script.";
+  console.options = {
+      {"--output", "-o", "DIR", "Folder for the results (default: results/NAME of the scene).", false, {}},
+      {"--force", "", "", "Replace the results of an earlier run in DIR.", false, {}},
+      kSet,
+      {"--threads", "", "N", "Threads of the solver; the result does not depend on it.", false, {}},
+  };
+  console.details =
+      "Commands come from standard input, one a line; 'help' lists them. From a script the next line is read "
+      "when\nthe analysis has halted, and the first error ends the program with exit code 2. In a terminal "
+      "Ctrl-C pauses;\nonce more, it ends the run. All acts go to DIR/journal.jsonl, branches to "
+      "DIR/branches/1 ...\n"
+      "\nexample:\n  printf 'until touch\\nset tool.die.friction 0.2\\nrun\\n' | hydroscope console "
+      "scenes/job-b.toml\n"
+      "\nCommands, journal, branches, replay: docs/steering.md\n";
+  return console;
 }
 
 CommandSyntax make_render() {
@@ -266,6 +299,7 @@ CommandSyntax make_tool() {
 const std::vector<CommandSyntax>& command_syntaxes() {
   static const std::vector<CommandSyntax> commands = {
       make_run(),
+      make_console(),
       make_render(),
       make_check(),
       make_inspect(),

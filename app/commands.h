@@ -11,6 +11,10 @@ namespace hydroscope {
 
 /// Solves a scene and records it.
 ExitCode run_scene(const Arguments& arguments);
+/// Repeats the acts of a journal: `run --replay`.
+ExitCode replay_journal(const Arguments& arguments);
+/// Steers an analysis from a terminal or a script.
+ExitCode open_console(const Arguments& arguments);
 /// Draws saved states again.
 ExitCode render_results(const Arguments& arguments);
 /// Compares saved states with an approved sequence.

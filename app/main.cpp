@@ -19,7 +19,9 @@ ExitCode print(const std::string& text) {
 ExitCode run_command(const CommandSyntax& command, const std::vector<std::string>& words) {
   const Arguments arguments = parse_arguments(command, words);
   if (arguments.has("--help")) return print(make_command_help(command));
-  if (command.name == "run") return run_scene(arguments);
+  if (command.name == "run")
+    return arguments.has("--replay") ? replay_journal(arguments) : run_scene(arguments);
+  if (command.name == "console") return open_console(arguments);
   if (command.name == "render") return render_results(arguments);
   if (command.name == "check") return check_results(arguments);
   if (command.name == "serve") return serve(arguments);

@@ -9,19 +9,13 @@
 #include "app/interrupt.h"
 #include "app/record_run.h"
 #include "app/scene_record.h"
+#include "app/solver_threads.h"
 #include "solver/base/error.h"
 #include "solver/scene/scene_reader.h"
 #include "solver/session/accuracy_choices.h"
 
 namespace hydroscope {
 namespace {
-
-int find_threads(const Arguments& arguments) {
-  constexpr int kMost = 64;
-  if (arguments.has("--threads"))
-    return parse_whole_number("--threads", arguments.get("--threads"), 1, kMost);
-  return std::clamp(static_cast<int>(std::thread::hardware_concurrency()), 1, 8);
-}
 
 /// The mesh is known now, so that the node can be checked before anything is written.
 void check_look_at_node(const Scene& scene, const SnapshotModel& model) {

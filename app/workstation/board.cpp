@@ -31,6 +31,11 @@ void Board::set_model(std::shared_ptr<const SnapshotModel> model, std::vector<st
   quantity_names_ = std::move(quantity_names);
 }
 
+void Board::set_settable(std::vector<std::string> keys) {
+  const std::lock_guard lock(mutex_);
+  settable_ = std::move(keys);
+}
+
 int Board::add_branch(int parent, int increment, const std::filesystem::path& folder) {
   const std::lock_guard lock(mutex_);
   BranchRecord branch;
@@ -169,6 +174,11 @@ std::vector<IncrementReport> Board::history(int from) const {
 std::vector<std::string> Board::quantity_names() const {
   const std::lock_guard lock(mutex_);
   return quantity_names_;
+}
+
+std::vector<std::string> Board::settable() const {
+  const std::lock_guard lock(mutex_);
+  return settable_;
 }
 
 std::vector<ContactEvent> Board::events(std::size_t from) const {

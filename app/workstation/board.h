@@ -24,6 +24,7 @@ class Board {
   // For the thread that computes.
   /// Changes the status; its version grows and who waits is woken.
   void update(const std::function<void(WorkstationStatus&)>& change);
+  void set_settable(std::vector<std::string> keys);
   void set_model(std::shared_ptr<const SnapshotModel> model, std::vector<std::string> quantity_names);
   /// Makes a branch that goes on from `increment` of `parent` (-1: the first) the present one.
   int add_branch(int parent, int increment, const std::filesystem::path& folder);
@@ -47,6 +48,7 @@ class Board {
   std::vector<KeptState> kept_states() const;
   std::vector<IncrementReport> history(int from) const;
   std::vector<std::string> quantity_names() const;
+  std::vector<std::string> settable() const;
   std::vector<ContactEvent> events(std::size_t from) const;
   std::vector<Warning> warnings() const;
   BranchRecord branch(int number) const;
@@ -71,7 +73,7 @@ class Board {
   mutable std::condition_variable changed_;
   WorkstationStatus status_;
   std::shared_ptr<const SnapshotModel> model_;
-  std::vector<std::string> quantity_names_;
+  std::vector<std::string> quantity_names_, settable_;
   std::vector<BranchRecord> branches_;
   std::vector<Kept> kept_;
   std::shared_ptr<const Snapshot> newest_;

@@ -6,6 +6,7 @@
 #include "app/results/json.h"
 #include "app/scene_record.h"
 #include "solver/base/error.h"
+#include "solver/session/scene_change.h"
 
 namespace hydroscope {
 
@@ -45,6 +46,7 @@ Steering::Steering(const Scene& scene, const WorkstationOptions& options, Board&
   writers_[0] = std::make_unique<RunWriter>(folder, record_, *run_.snapshot_model(), run_.quantity_names());
   journal_ = std::make_unique<Journal>(folder.path / "journal.jsonl", head);
   points_.on_drop = [this](int branch, int increment) { board_.set_restorable(branch, increment, false); };
+  board_.set_settable(settable_keys(run_.scene()));
   board_.set_model(run_.snapshot_model(), run_.quantity_names());
   board_.add_branch(-1, 0, folder.path);
   board_.set_newest(run_.snapshot());

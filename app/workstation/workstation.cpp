@@ -135,5 +135,18 @@ std::vector<std::string> Workstation::quantity_names() const { return impl_->boa
 std::vector<ContactEvent> Workstation::events(std::size_t from) const { return impl_->board.events(from); }
 std::vector<Warning> Workstation::warnings() const { return impl_->board.warnings(); }
 std::filesystem::path Workstation::folder() const { return impl_->board.folder(); }
+std::vector<std::string> Workstation::settable() const { return impl_->board.settable(); }
+
+WorkstationStatus Workstation::close() {
+  impl_->close();
+  return impl_->board.status();
+}
+
+ExitCode find_exit_code(const WorkstationStatus& status) {
+  for (int i = 0; i <= static_cast<int>(Outcome::kUserStop); ++i) {
+    if (status.outcome == to_string(static_cast<Outcome>(i))) return find_exit_code(static_cast<Outcome>(i));
+  }
+  return ExitCode::kEnvironment;  // what went wrong is in the message
+}
 
 }  // namespace hydroscope

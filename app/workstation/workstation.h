@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "app/exit_code.h"
 #include "solver/increment/report.h"
 #include "solver/scene/scene.h"
 #include "solver/scene/scene_source.h"
@@ -98,10 +99,19 @@ class Workstation {
   std::vector<Warning> warnings() const;
   /// Where the present branch lies on disk.
   std::filesystem::path folder() const;
+  /// Keys that `set` may change.
+  std::vector<std::string> settable() const;
+
+  /// Ends the run as the destructor does, and says how it stands. Commands are refused from then on; all else
+  /// goes on answering.
+  WorkstationStatus close();
 
  private:
   struct Impl;
   std::unique_ptr<Impl> impl_;
 };
+
+/// The program's exit code for a run that has ended so.
+ExitCode find_exit_code(const WorkstationStatus& status);
 
 }  // namespace hydroscope
