@@ -4,7 +4,7 @@ import fs from 'node:fs';
 import path from 'node:path';
 import {options} from './program.mjs';
 
-export const kPatience = 60000;  // [ms]; a limit for what hangs, not a measure
+export const kPatience = 45000;  // [ms]; a limit for what hangs, not a measure
 const kPlaces = [process.env.CHROMIUM, '/usr/bin/chromium', '/usr/bin/chromium-browser', '/usr/bin/google-chrome'];
 
 export function find_chromium() { return kPlaces.find((place) => place && fs.existsSync(place)); }

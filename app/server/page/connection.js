@@ -62,7 +62,7 @@ function lose() {
 async function probe() {
   timer = null;
   try {
-    store.set('status', await get('/api/status'));
+    await get('/api/status');
     open_stream();
   } catch {
     // hear_answer() has seen to it.

@@ -36,9 +36,7 @@ const load_history = pace(async () => {
 const load_warnings = pace(async () => store.set('warnings', (await get('/api/warnings')).warnings));
 
 export async function load_all() {
-  const [model, status] = await Promise.all([get('/api/model'), get('/api/status')]);
-  store.set('model', model);
-  store.set('status', status);
+  store.set('model', await get('/api/model'));  // the status comes by itself with the event stream
   rows_of = null;
   load_timeline();
   load_history();

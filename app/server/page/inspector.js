@@ -110,7 +110,8 @@ function make_row(key, caption, unit, values) {
   if (key === 'contact') {
     cell.append(el('span', {class: `class ${value}`}, value ?? '–'));
   } else if (Array.isArray(value)) {
-    cell.append(value.map((one) => format(one, 5)).join('  '));
+    cell.append(value.map((one) => format(one, 4)).join('\u2002'));
+    cell.className = 'list';
   } else {
     cell.append(typeof value === 'string' ? value : format(value, 5));
   }

@@ -111,7 +111,14 @@ export function go(by) {
   const states = store.get('kept').filter((state) => state.branch === branch);
   if (!states.length) return;
   const at = shown === 'live' ? states.length : states.findIndex((state) => state.increment === shown.increment);
+  if (at === 0 && by < 0 && branch > 0) return go_to_parent(states[0], branch);
   show_state(states[Math.max(0, Math.min(states.length - 1, at + by))]);
+}
+
+/// From the beginning of a branch on to what lies before it.
+function go_to_parent(first, branch) {
+  const before = store.get('kept').filter((state) => state.branch < branch && state.increment <= first.increment && state.time_s <= first.time_s);
+  if (before.length) show_state(before.reduce((a, b) => (b.increment > a.increment || (b.increment === a.increment && b.branch > a.branch) ? b : a)));
 }
 
 export function go_live() {
