@@ -29,7 +29,7 @@ struct Return {
   Vec3 modal;  ///< s_i
   double equivalent = 0.0;
   double plastic_strain = 0.0;
-  double slope = 0.0;
+  double flow_stress = 0.0, slope = 0.0;  ///< at the end [MPa]
 };
 
 /// Where between elastic and plastic an overstress of the trial lies.
@@ -44,9 +44,9 @@ Onset calc_onset(double overstress, double band) {
 }
 
 /// Safeguarded Newton on f(gamma) / sbar(gamma), f = sbar - sy(ep + 2/3 gamma sbar) + inside: 1 / sbar is
-/// almost linear in gamma, so that even large increments take few passes.
-Return find_return(const SheetLaw& law, const Vec3& modal_trial, double ep, double start_stress,
-                   double inside) {
+/// almost linear in gamma, so that even large increments take few passes. `flow`: of the start, at `ep`.
+Return find_return(const SheetLaw& law, const Vec3& modal_trial, double ep, Hardening::Value flow,
+                   double start_stress, double inside) {
   double low = 0.0, high = -1.0;
   Return r;
   for (int iteration = 0; iteration < 100; ++iteration) {
@@ -60,8 +60,9 @@ Return find_return(const SheetLaw& law, const Vec3& modal_trial, double ep, doub
     }
     r.equivalent = std::sqrt(1.5 * square);
     r.plastic_strain = ep + 2.0 / 3.0 * r.gamma * r.equivalent;
-    const auto flow = law.material.hardening(r.plastic_strain);
+    if (iteration > 0) flow = law.material.hardening(r.plastic_strain);
     r.slope = flow.slope;
+    r.flow_stress = flow.stress;
     const double f = r.equivalent - flow.stress + inside;
     if (std::abs(f) <= 1e-12 * start_stress) return r;
     (f > 0.0 ? low : high) = r.gamma;
@@ -77,11 +78,22 @@ Return find_return(const SheetLaw& law, const Vec3& modal_trial, double ep, doub
 }
 
 /// C_ep = C - (C P s)(C P s)^T / (s^T P C P s + 4/9 H sbar^2) (mechanics 2.1).
-Mat3 calc_flow_tangent(const SheetLaw& law, const MaterialPoint& point) {
-  const auto flow = law.material.hardening(point.plastic_strain);
+Mat3 calc_flow_tangent(const SheetLaw& law, const MaterialPoint& point, const Hardening::Value& flow) {
   const Vec3 ps = law.yield_matrix * point.stress, direction = law.elasticity * ps;
   const double denominator = ps.dot(direction) + 4.0 / 9.0 * flow.slope * flow.stress * flow.stress;
   return law.elasticity - direction * direction.transpose() / denominator;
+}
+
+/// Consistent with the return (Simo & Taylor 1986), in the modes of (C^-1, P).
+Mat3 calc_consistent_tangent(const SheetLaw& law, const Return& r, double flow_share) {
+  const Vec3 shares = (1.0 + r.gamma * law.eigenvalues.array()).inverse();
+  const Mat3 moduli = law.modes * shares.asDiagonal() * law.modes.transpose();  // (C^-1 + gamma P)^-1
+  const Vec3 weighted = law.eigenvalues.cwiseProduct(r.modal);
+  const Vec3 direction = law.modes * shares.cwiseProduct(weighted);  // moduli P s
+  const double curvature = shares.dot(weighted.cwiseAbs2());         // s P moduli P s
+  const double hardening =
+      4.0 / 9.0 * r.slope * r.equivalent * r.equivalent / (1.0 - 2.0 / 3.0 * r.gamma * r.slope);
+  return moduli - flow_share / (curvature + hardening) * direction * direction.transpose();
 }
 
 }  // namespace
@@ -112,12 +124,13 @@ SheetLaw::SheetLaw(const SheetMaterial& m)
   const Eigen::SelfAdjointEigenSolver<Mat3> solver(Mat3(root.transpose() * yield_matrix * root));
   modes = root * solver.eigenvectors();
   eigenvalues = solver.eigenvalues();
+  to_modes = modes.transpose() * compliance;
 }
 
 double calc_equivalent_stress(const Mat3& p, const Vec3& s) { return std::sqrt(1.5 * s.dot(p * s)); }
 
 StressUpdate update_stress(const SheetLaw& law, const MaterialPoint& start, const Vec3& strain_increment,
-                           double sigma33_increment, bool assume_flow) {
+                           double sigma33_increment, TangentKind tangent) {
   const SheetMaterial& m = law.material;
   const double hydrostatic = (1.0 - 2.0 * m.poisson) / m.youngs_modulus * sigma33_increment;
   const Vec3 strain = strain_increment - Vec3(hydrostatic, hydrostatic, 0.0);
@@ -126,34 +139,30 @@ StressUpdate update_stress(const SheetLaw& law, const MaterialPoint& start, cons
   out.point = {trial, start.plastic_strain};
   out.tangent = law.elasticity;
   if (!m.hardening.is_plastic()) return out;
-  const double flow_stress = m.hardening(start.plastic_strain).stress;
+  const Hardening::Value flow = m.hardening(start.plastic_strain);
   const double trial_stress = calc_equivalent_stress(law.yield_matrix, trial);
-  const double band = m.yield_rounding * flow_stress, overstress = trial_stress - flow_stress;
+  const double band = m.yield_rounding * flow.stress, overstress = trial_stress - flow.stress;
   if (overstress <= -band) {
     constexpr double kOnSurface = 1.0 - 1e-8;
-    if (assume_flow && trial_stress > kOnSurface * flow_stress)
-      out.tangent = calc_flow_tangent(law, out.point);
+    if (tangent == TangentKind::kFlow && trial_stress > kOnSurface * flow.stress)
+      out.tangent = calc_flow_tangent(law, out.point, flow);
     return out;
   }
 
-  const double before = flow_stress - calc_equivalent_stress(law.yield_matrix, start.stress);
+  const double before = flow.stress - calc_equivalent_stress(law.yield_matrix, start.stress);
   constexpr double kElastic = 0.01;  // of the flow stress: nearer points flow already
-  if (overstress > 0.0 && before > kElastic * flow_stress) out.elastic_share = before / (before + overstress);
+  if (overstress > 0.0 && before > kElastic * flow.stress) out.elastic_share = before / (before + overstress);
   const Onset onset = calc_onset(overstress, band);
-  const Return r = find_return(law, law.modes.transpose() * (law.compliance * trial), start.plastic_strain,
-                               trial_stress, onset.inside);
-  const Vec3 shares = (1.0 + r.gamma * law.eigenvalues.array()).inverse();
-  const Mat3 moduli = law.modes * shares.asDiagonal() * law.modes.transpose();  // (C^-1 + gamma P)^-1
-  const Vec3 weighted = law.eigenvalues.cwiseProduct(r.modal);
-  const Vec3 direction = law.modes * shares.cwiseProduct(weighted);  // moduli P s
-  const double curvature = shares.dot(weighted.cwiseAbs2());         // s P moduli P s
-  const double hardening =
-      4.0 / 9.0 * r.slope * r.equivalent * r.equivalent / (1.0 - 2.0 / 3.0 * r.gamma * r.slope);
-  out.tangent = moduli - onset.flow_share / (curvature + hardening) * direction * direction.transpose();
+  const Return r =
+      find_return(law, law.to_modes * trial, start.plastic_strain, flow, trial_stress, onset.inside);
   out.point = {law.modes * r.modal, r.plastic_strain};
   out.is_plastic = true;
   out.plastic_increment = r.plastic_strain - start.plastic_strain;
-  if (assume_flow) out.tangent = calc_flow_tangent(law, out.point);
+  if (tangent == TangentKind::kFlow) {
+    out.tangent = calc_flow_tangent(law, out.point, {r.flow_stress, r.slope});
+  } else if (tangent == TangentKind::kConsistent) {
+    out.tangent = calc_consistent_tangent(law, r, onset.flow_share);
+  }
   return out;
 }
 

@@ -36,6 +36,14 @@ struct SheetLaw {
   Mat3 elasticity, compliance, yield_matrix;
   Mat3 modes;        ///< columns v_i with v_i . C^-1 v_j = delta_ij and v_i . P v_j = lambda_i delta_ij
   Vec3 eigenvalues;  ///< lambda_i [MPa]
+  Mat3 to_modes;     ///< modes^T C^-1: stress to its components a_i
+};
+
+/// Which tangent a stress update is to bring along.
+enum class TangentKind {
+  kConsistent,  ///< with the return
+  kFlow,        ///< a predictor's: points on their yield surface flow on, even before they move
+  kNone         ///< stresses only; what stands in its place is of no use
 };
 
 struct StressUpdate {
@@ -50,7 +58,7 @@ struct StressUpdate {
 /// plane-stress subspace (mechanics 2.5). The yield function is evaluated with
 /// stresses shifted by sigma33; the elastic strain of a change of sigma33
 /// [MPa] is taken off first: (1 - 2 nu)/E d sigma33 on both normal strains.
-/// With `assume_flow` a point that stands on its yield surface is given the
+/// With TangentKind::kFlow a point that stands on its yield surface is given the
 /// continuum elastoplastic tangent even before it moves: what a predictor needs.
 /// With `yield_rounding` rho the elastic trial turns plastic over a band of +-rho of the flow stress
 /// instead of at a corner: within it the return ends inside the surface by (band - overstress)^2 / (4 band).
@@ -59,7 +67,7 @@ struct StressUpdate {
 /// Throws ContractError when the local iteration fails (never seen for
 /// hardening with a slope >= 0).
 StressUpdate update_stress(const SheetLaw& law, const MaterialPoint& start, const Vec3& strain_increment,
-                           double sigma33_increment = 0.0, bool assume_flow = false);
+                           double sigma33_increment = 0.0, TangentKind tangent = TangentKind::kConsistent);
 
 /// Equivalent stress sqrt(3/2 s^T P s) [MPa].
 double calc_equivalent_stress(const Mat3& yield_matrix, const Vec3& stress);

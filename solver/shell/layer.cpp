@@ -68,19 +68,21 @@ Mat3 calc_convective(const Vec3& s) {
 }  // namespace
 
 LayerResponse advance_layer(const SheetLaw& law, const LayerState& state, const Metric& start,
-                            const Metric& end, double sigma33, double sigma33_increment, bool assume_flow) {
+                            const Metric& end, double sigma33, double sigma33_increment,
+                            TangentKind tangent) {
   const Frame end_frame = calc_frame(end);
   const Stretch stretch = calc_stretch(calc_frame(start), end_frame);
   LayerResponse out;
   out.strain_increment = turn_strain(stretch.strain, std::cos(state.angle), std::sin(state.angle));
   const StressUpdate update =
-      update_stress(law, state.point, out.strain_increment, sigma33_increment, assume_flow);
+      update_stress(law, state.point, out.strain_increment, sigma33_increment, tangent);
   out.state = {update.point, state.angle + stretch.spin};
   out.plastic_increment = update.plastic_increment;
   out.elastic_share = update.elastic_share;
   const Vec3 stress = update.point.stress + Vec3(sigma33, sigma33, 0.0);
   const Mat3 t = calc_push_forward(end_frame, std::cos(out.state.angle), std::sin(out.state.angle));
   out.stress = t.transpose() * stress;
+  if (tangent == TangentKind::kNone) return out;
   out.tangent = t.transpose() * (update.tangent - calc_convective(stress)) * t;
   return out;
 }

@@ -34,8 +34,8 @@ struct LayerResponse {
 /// increment is the midpoint one (Hughes & Winget 1980) taken from the right
 /// stretch, so that a rigid rotation of any size gives none; the spin is the
 /// polar rotation, which is Jaumann's in the limit of small increments.
-/// `assume_flow`: see update_stress(). `sigma33` [MPa] at the end, `sigma33_increment` over the increment.
+/// `tangent`: see update_stress(). `sigma33` [MPa] at the end, `sigma33_increment` over the increment.
 LayerResponse advance_layer(const SheetLaw& law, const LayerState& state, const Metric& start,
-                            const Metric& end, double sigma33, double sigma33_increment, bool assume_flow);
+                            const Metric& end, double sigma33, double sigma33_increment, TangentKind tangent);
 
 }  // namespace hydroscope

@@ -30,7 +30,7 @@ double calc_equivalent_strain(const Vec3& e) {
 
 Section integrate_section(const ShellLaw& law, const MetricPolynomial& start, const MetricPolynomial& end,
                           std::span<const LayerState> layers, std::span<LayerState> out, double sigma33_start,
-                          double sigma33_end, bool assume_flow, double volume) {
+                          double sigma33_end, TangentKind tangent, double volume) {
   const auto n = static_cast<std::size_t>(law.rule.size());
   double total = 0.0;
   for (std::size_t k = 0; k < n; ++k) total += law.rule.weight[k] * std::sqrt(start(law.rule.zeta[k]).det());
@@ -40,14 +40,14 @@ Section integrate_section(const ShellLaw& law, const MetricPolynomial& start, co
   for (std::size_t k = 0; k < n; ++k) {
     const double z = law.rule.zeta[k];
     const Metric from = start(z);
-    const LayerResponse r = advance_layer(law.sheet, layers[k], from, end(z), sigma33_end,
-                                          sigma33_end - sigma33_start, assume_flow);
+    const LayerResponse r =
+        advance_layer(law.sheet, layers[k], from, end(z), sigma33_end, sigma33_end - sigma33_start, tangent);
     out[k] = r.state;
     const double share = law.rule.weight[k] * std::sqrt(from.det()) / total;
     const double w = volume * share;
     double power = w;
     for (std::size_t i = 0; i < 5; ++i, power *= z) {
-      moments[i] += power * r.tangent;
+      if (tangent != TangentKind::kNone) moments[i] += power * r.tangent;
       if (i < 3) section.stress.segment<3>(static_cast<Eigen::Index>(3 * i)) += power * r.stress;
     }
     section.trace += share * (r.state.point.stress[0] + r.state.point.stress[1] + 3.0 * sigma33_end);
@@ -55,7 +55,7 @@ Section integrate_section(const ShellLaw& law, const MetricPolynomial& start, co
     section.plastic_increment = std::max(section.plastic_increment, r.plastic_increment);
     section.elastic_share = std::min(section.elastic_share, r.elastic_share);
   }
-  for (std::size_t i = 0; i < 3; ++i) {
+  for (std::size_t i = 0; tangent != TangentKind::kNone && i < 3; ++i) {
     for (std::size_t j = 0; j < 3; ++j) {
       section.tangent.block<3, 3>(static_cast<Eigen::Index>(3 * i), static_cast<Eigen::Index>(3 * j)) =
           moments[i + j];
@@ -74,47 +74,78 @@ Vec3 contract(const Vec3& t, double n1, double n2, const Vec3& v1, const Vec3& v
   return (t[0] * n1 + t[2] * n2) * v1 + (t[2] * n1 + t[1] * n2) * v2;
 }
 
-/// Rows of the nine generalised strains against (u, alpha, beta).
-Eigen::Matrix<double, 9, kElementDofs> calc_strain_rows(const Bases& b, const ShapeFunctions& s,
-                                                        const std::array<DirectorMap, 4>& w) {
-  Eigen::Matrix<double, 9, kElementDofs> rows;
-  rows.setZero();
-  const auto fill = [&](Eigen::Index row, Eigen::Index col, double n1, double n2, const Vec3& v1,
-                        const Vec3& v2, const DirectorMap* map) {
-    const std::array<Vec3, 3> r{n1 * v1, n2 * v2, n1 * v2 + n2 * v1};
-    for (std::size_t i = 0; i < 3; ++i) {
-      const auto at = row + static_cast<Eigen::Index>(i);
-      if (map == nullptr) {
-        rows.block<1, 3>(at, col) = r[i].transpose();
-      } else {
-        rows.block<1, 2>(at, col + 3) = r[i].transpose() * *map;
-      }
-    }
-  };
+/// d (a_11, a_22, 2 a_12) / d v of v . w, where node a moves the base vectors by N_a,i v.
+Mat3 calc_metric_rows(double n1, double n2, const Vec3& v1, const Vec3& v2) {
+  Mat3 rows;
+  rows << n1 * v1.transpose(), n2 * v2.transpose(), (n1 * v2 + n2 * v1).transpose();
+  return rows;
+}
+
+/// Derivatives of the nine generalised strains at one node: its displacement turns the first six, its
+/// fibre the last six.
+struct StrainRows {
+  Eigen::Matrix<double, 6, 3> shift;
+  Eigen::Matrix<double, 6, 2> turn;
+};
+
+std::array<StrainRows, 4> calc_strain_rows(const Bases& b, const ShapeFunctions& s,
+                                           const std::array<DirectorMap, 4>& w) {
+  std::array<StrainRows, 4> rows;
   for (std::size_t a = 0; a < 4; ++a) {
-    const auto col = static_cast<Eigen::Index>(5 * a);
-    fill(0, col, s.n1[a], s.n2[a], b.g1, b.g2, nullptr);
-    fill(3, col, s.n1[a], s.n2[a], b.d1, b.d2, nullptr);
-    fill(3, col, s.n1[a], s.n2[a], b.g1, b.g2, &w[a]);
-    fill(6, col, s.n1[a], s.n2[a], b.d1, b.d2, &w[a]);
+    const Mat3 of_metric = calc_metric_rows(s.n1[a], s.n2[a], b.g1, b.g2),
+               of_bending = calc_metric_rows(s.n1[a], s.n2[a], b.d1, b.d2);
+    rows[a].shift << of_metric, of_bending;
+    rows[a].turn << of_metric * w[a], of_bending * w[a];
   }
   return rows;
 }
 
-/// Initial-stress part: second variations of the metric's coefficients.
+/// Material part of the upper blocks (a <= b); mirror_upper_blocks() does the rest. Products of this size are
+/// written out by the compiler; a 9 x 20 matrix, half of it zeros, would go through a general one.
+void add_material(const GeneralisedTangent& tangent, const std::array<StrainRows, 4>& rows,
+                  ElementMatrix& k) {
+  const Eigen::Matrix<double, 6, 6> shift_shift = tangent.topLeftCorner<6, 6>(),
+                                    shift_turn = tangent.topRightCorner<6, 6>(),
+                                    turn_turn = tangent.bottomRightCorner<6, 6>(),
+                                    turn_shift = tangent.bottomLeftCorner<6, 6>();
+  for (std::size_t b = 0; b < 4; ++b) {
+    const auto ib = static_cast<Eigen::Index>(kDofs * b);
+    const Eigen::Matrix<double, 6, 3> by_shift = shift_shift.lazyProduct(rows[b].shift),
+                                      turned_by_shift = turn_shift.lazyProduct(rows[b].shift);
+    const Eigen::Matrix<double, 6, 2> by_turn = shift_turn.lazyProduct(rows[b].turn),
+                                      turned_by_turn = turn_turn.lazyProduct(rows[b].turn);
+    for (std::size_t a = 0; a <= b; ++a) {
+      const auto ia = static_cast<Eigen::Index>(kDofs * a);
+      k.block<3, 3>(ia, ib) += rows[a].shift.transpose().lazyProduct(by_shift);
+      k.block<3, 2>(ia, ib + 3) += rows[a].shift.transpose().lazyProduct(by_turn);
+      k.block<2, 3>(ia + 3, ib) += rows[a].turn.transpose().lazyProduct(turned_by_shift);
+      k.block<2, 2>(ia + 3, ib + 3) += rows[a].turn.transpose().lazyProduct(turned_by_turn);
+    }
+  }
+}
+
+void mirror_upper_blocks(ElementMatrix& k) {
+  for (Eigen::Index b = 0; b < 4; ++b) {
+    for (Eigen::Index a = 0; a < b; ++a) {
+      k.block<kDofs, kDofs>(kDofs * b, kDofs * a) = k.block<kDofs, kDofs>(kDofs * a, kDofs * b).transpose();
+    }
+  }
+}
+
+/// Initial-stress part of the upper blocks: second variations of the metric's coefficients.
 void add_initial_stress(const Generalised& stress, const ShapeFunctions& s,
                         const std::array<DirectorMap, 4>& w, ElementMatrix& k) {
   const auto bilinear = [&](Eigen::Index at, std::size_t a, std::size_t b) {
     return stress[at] * s.n1[a] * s.n1[b] + stress[at + 1] * s.n2[a] * s.n2[b] +
            stress[at + 2] * (s.n1[a] * s.n2[b] + s.n2[a] * s.n1[b]);
   };
-  for (std::size_t a = 0; a < 4; ++a) {
-    for (std::size_t b = 0; b < 4; ++b) {
-      const auto ia = static_cast<Eigen::Index>(5 * a), ib = static_cast<Eigen::Index>(5 * b);
+  for (std::size_t b = 0; b < 4; ++b) {
+    for (std::size_t a = 0; a <= b; ++a) {
+      const auto ia = static_cast<Eigen::Index>(kDofs * a), ib = static_cast<Eigen::Index>(kDofs * b);
       k.block<3, 3>(ia, ib).diagonal().array() += bilinear(0, a, b);
       const double mixed = bilinear(3, a, b);
       k.block<3, 2>(ia, ib + 3) += mixed * w[b];
-      k.block<2, 3>(ib + 3, ia) += mixed * w[b].transpose();
+      k.block<2, 3>(ia + 3, ib) += mixed * w[a].transpose();
       k.block<2, 2>(ia + 3, ib + 3) += bilinear(6, a, b) * w[a].transpose() * w[b];
     }
   }
@@ -183,6 +214,9 @@ ElementResponse evaluate_element(const ShellLaw& law, const ElementNodes& start,
     w[a] *= 0.5 * end.thickness[a];
   }
   if (stiffness != nullptr) stiffness->setZero();
+  const TangentKind tangent = stiffness == nullptr   ? TangentKind::kNone
+                              : settings.assume_flow ? TangentKind::kFlow
+                                                     : TangentKind::kConsistent;
   const TiedShear shear_start(start), shear_end(end);
   ShearSums shear;
   const auto n_z = static_cast<std::size_t>(law.rule.size());
@@ -196,7 +230,7 @@ ElementResponse evaluate_element(const ShellLaw& law, const ElementNodes& start,
     const double s33 = interpolate(settings.sigma33.end, s);
     const Section section = integrate_section(
         law, metric_start, metric_end, state.layers.subspan(i * n_z, n_z), out.layers.subspan(i * n_z, n_z),
-        interpolate(settings.sigma33.start, s), s33, settings.assume_flow, volume);
+        interpolate(settings.sigma33.start, s), s33, tangent, volume);
     advance_shear(law, metric_start.c0, 0.5 * interpolate(start.thickness, s),
                   gauss_point(static_cast<int>(i)), volume, shear_start, shear_end, gauss, shear);
     const SheetMaterial& m = law.sheet.material;
@@ -216,14 +250,15 @@ ElementResponse evaluate_element(const ShellLaw& law, const ElementNodes& start,
     response.elastic_share = std::min(response.elastic_share, section.elastic_share);
     response.plastic_increment = std::max(response.plastic_increment, section.plastic_increment);
     if (stiffness != nullptr) {
-      const auto rows = calc_strain_rows(bases, s, w);
-      const Eigen::Matrix<double, 9, kElementDofs> stressed = section.tangent * rows;
-      stiffness->noalias() += rows.transpose() * stressed;
+      add_material(section.tangent, calc_strain_rows(bases, s, w), *stiffness);
       add_initial_stress(section.stress, s, w, *stiffness);
     }
   }
   add_shear_force(shear_end, shear.stress, force, fibre_force);
-  if (stiffness != nullptr) add_shear_stiffness(shear_end, shear.stress, shear.moduli, w, *stiffness);
+  if (stiffness != nullptr) {
+    add_shear_stiffness(shear_end, shear.stress, shear.moduli, w, *stiffness);
+    mirror_upper_blocks(*stiffness);
+  }
   for (std::size_t a = 0; a < 4; ++a) {
     const auto at = static_cast<Eigen::Index>(5 * a);
     response.force.segment<3>(at) = force[a];

@@ -30,22 +30,25 @@ void add_shear_force(const TiedShear& shear, const std::array<double, 4>& s, std
 void add_shear_stiffness(const TiedShear& shear, const std::array<double, 4>& s,
                          const Eigen::Matrix4d& moduli, const std::array<Eigen::Matrix<double, 3, 2>, 4>& w,
                          ElementMatrix& stiffness) {
-  Eigen::Matrix<double, 4, kElementDofs> rows;
-  for (std::size_t t = 0; t < 4; ++t) {
-    for (std::size_t a = 0; a < 4; ++a) {
-      const auto row = static_cast<Eigen::Index>(t), col = static_cast<Eigen::Index>(5 * a);
-      rows.block<1, 3>(row, col) = shear.dn[t][a] * shear.g3[t].transpose();
-      rows.block<1, 2>(row, col + 3) = shear.n[t][a] * shear.g[t].transpose() * w[a];
+  std::array<Eigen::Matrix<double, 4, kDofs>, 4> rows;
+  for (std::size_t a = 0; a < 4; ++a) {
+    for (std::size_t t = 0; t < 4; ++t) {
+      rows[a].row(static_cast<Eigen::Index>(t)) << shear.dn[t][a] * shear.g3[t].transpose(),
+          shear.n[t][a] * shear.g[t].transpose() * w[a];
     }
   }
-  stiffness.noalias() += rows.transpose() * (moduli * rows);
-  for (std::size_t a = 0; a < 4; ++a) {
-    for (std::size_t b = 0; b < 4; ++b) {
-      double c = 0.0;
-      for (std::size_t t = 0; t < 4; ++t) c += s[t] * shear.dn[t][a] * shear.n[t][b];
-      const auto ia = static_cast<Eigen::Index>(5 * a), ib = static_cast<Eigen::Index>(5 * b);
-      stiffness.block<3, 2>(ia, ib + 3) += c * w[b];
-      stiffness.block<2, 3>(ib + 3, ia) += c * w[b].transpose();
+  const auto couple = [&](std::size_t a, std::size_t b) {
+    double c = 0.0;
+    for (std::size_t t = 0; t < 4; ++t) c += s[t] * shear.dn[t][a] * shear.n[t][b];
+    return c;
+  };
+  for (std::size_t b = 0; b < 4; ++b) {
+    const Eigen::Matrix<double, 4, kDofs> stressed = moduli.lazyProduct(rows[b]);
+    for (std::size_t a = 0; a <= b; ++a) {
+      const auto ia = static_cast<Eigen::Index>(kDofs * a), ib = static_cast<Eigen::Index>(kDofs * b);
+      stiffness.block<kDofs, kDofs>(ia, ib) += rows[a].transpose().lazyProduct(stressed);
+      stiffness.block<3, 2>(ia, ib + 3) += couple(a, b) * w[b];
+      stiffness.block<2, 3>(ia + 3, ib) += couple(b, a) * w[a].transpose();
     }
   }
 }

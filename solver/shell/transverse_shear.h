@@ -22,8 +22,8 @@ struct TiedShear {
 void add_shear_force(const TiedShear& shear, const std::array<double, 4>& s, std::array<Vec3, 4>& force,
                      std::array<Vec3, 4>& fibre_force);
 
-/// Adds rows^T M rows and the initial-stress term of `s` to the stiffness in
-/// (u, V) form with the director maps `w` = (h/2) [-V2, V1] of the nodes.
+/// Adds rows^T M rows and the initial-stress term of `s` to the upper blocks (row node <= column node) of
+/// the stiffness, with the director maps `w` = (h/2) [-V2, V1] of the nodes.
 void add_shear_stiffness(const TiedShear& shear, const std::array<double, 4>& s,
                          const Eigen::Matrix4d& moduli, const std::array<Eigen::Matrix<double, 3, 2>, 4>& w,
                          ElementMatrix& stiffness);

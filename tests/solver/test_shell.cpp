@@ -165,7 +165,7 @@ TEST(Layer, SimpleShearFollowsJaumann) {
   const auto metric = [](double gamma) { return Metric{1.0, 1.0 + gamma * gamma, gamma}; };  // g1 = e1, g2 = e2 + gamma e1
   LayerResponse r;
   for (int k = 0; k < n; ++k) {
-    r = advance_layer(law, state, metric(1.0 * k / n), metric(1.0 * (k + 1) / n), 0.0, 0.0, false);
+    r = advance_layer(law, state, metric(1.0 * k / n), metric(1.0 * (k + 1) / n), 0.0, 0.0, TangentKind::kConsistent);
     state = r.state;
   }
   // To Cartesian axes: the frame has turned by `angle` from g1 = e1.

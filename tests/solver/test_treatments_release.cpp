@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <map>
 
 #include "model_texts.h"
 
@@ -127,6 +128,29 @@ TEST(ReleaseTreatment, SmallPullIsNoiseToTheFullRuleOnly) {
     EXPECT_NEAR(e.threshold, 0.001 * share, 0.02 * 0.001 * share);
     EXPECT_LT(e.force_after, -e.threshold);
   }
+}
+
+// Letting go waits where the corrector needs many passes, but not for long: on the hat-like die no node
+// stands under a tension as large as the fluid's share for more than two increments in a row.
+TEST(ReleaseTreatment, NobodyHangsOnTheDieForLong) {
+  const Model model = build_model(read_scene("scenes/hat-die.toml"));
+  Scratch scratch(model, 1);
+  State state = make_initial_state(model);
+  std::map<std::pair<std::size_t, std::size_t>, int> hanging;  // increments in a row, by tool and node
+  int longest = 0;
+  while (advance(model, state, scratch).outcome == Outcome::kRunning && state.time < model.end_time) {
+    for (std::size_t t = 0; t < state.contacts.size(); ++t) {
+      for (std::size_t i = 0; i < model.x0.size(); ++i) {
+        const ContactPoint& point = state.contacts[t][i];
+        const bool hangs = point.is_active() && point.normal_force < -2.0 * state.pressure * state.area[i];
+        int& count = hanging[{t, i}];
+        count = hangs ? count + 1 : 0;
+        longest = std::max(longest, count);
+      }
+    }
+  }
+  EXPECT_GT(longest, 0);
+  EXPECT_LE(longest, 2);
 }
 
 }  // namespace
