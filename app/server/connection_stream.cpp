@@ -71,7 +71,7 @@ void ConnectionStream::linger() {
 
 bool ConnectionStream::is_readable() const { return from_ < to_ || wait(POLLIN, until(deadline_)); }
 
-bool ConnectionStream::is_writable() const { return wait(POLLOUT, kWriteTime) && is_open(); }
+bool ConnectionStream::is_writable() const { return wait(POLLOUT, write_patience_) && is_open(); }
 
 ssize_t ConnectionStream::read(char* bytes, size_t size) {
   if (from_ == to_) {
@@ -92,7 +92,7 @@ ssize_t ConnectionStream::write(const char* bytes, size_t size) {
   const Clock::time_point end = Clock::now() + kLongestWrite;
   std::size_t done = 0;
   while (done < size) {
-    if (!wait(POLLOUT, std::min(kWriteTime, until(end)))) return -1;
+    if (!wait(POLLOUT, std::min(write_patience_, until(end)))) return -1;
     const ssize_t sent = send(socket_, bytes + done, size - done, MSG_NOSIGNAL | MSG_DONTWAIT);
     if (sent < 0 && (errno == EAGAIN || errno == EINTR)) continue;
     if (sent <= 0) return -1;

@@ -9,15 +9,16 @@
 namespace hydroscope {
 
 /// One connection, with bounds that the library does not have: a request must be here as a whole within
-/// kRequestTime and kMostBytes, and whoever stops reading is dropped after kWriteTime.
+/// kRequestTime and kMostBytes, and whoever stops reading is dropped after
+/// `write_patience` without progress.
 class ConnectionStream : public httplib::Stream {
  public:
   static constexpr std::size_t kMostBytes = 192 * 1024;  ///< head and body
   static constexpr std::chrono::milliseconds kRequestTime{10'000};
-  static constexpr std::chrono::milliseconds kWriteTime{5'000};  ///< without any progress
   static constexpr std::chrono::milliseconds kLongestWrite{60'000};
 
-  explicit ConnectionStream(socket_t socket) : socket_(socket) {}
+  ConnectionStream(socket_t socket, std::chrono::milliseconds write_patience)
+      : socket_(socket), write_patience_(write_patience) {}
 
   /// Waits for the first byte of the next request.
   bool wait_request(std::chrono::milliseconds patience);
@@ -40,6 +41,7 @@ class ConnectionStream : public httplib::Stream {
   bool is_open() const;
 
   socket_t socket_;
+  std::chrono::milliseconds write_patience_;
   std::array<char, 4096> buffer_{};
   std::size_t from_ = 0, to_ = 0;  ///< unread bytes of `buffer_`
   std::size_t bytes_left_ = kMostBytes;

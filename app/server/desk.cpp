@@ -37,8 +37,14 @@ Desk::Desk(Workstation& given, std::vector<std::string> settable_keys, const Fra
       }) {}
 
 std::shared_ptr<const Snapshot> Desk::find_state(const std::optional<StateKey>& key) const {
-  if (!key) return workstation.newest();
-  return workstation.kept(key->branch, key->increment);
+  if (key) {
+    auto kept = workstation.kept(key->branch, key->increment);
+    if (kept != nullptr) return kept;
+  }
+  auto newest = workstation.newest();
+  const bool is_asked = !key || (newest != nullptr && newest->increment == key->increment &&
+                                 workstation.status().branch == key->branch);
+  return is_asked ? newest : nullptr;
 }
 
 std::vector<StateKey> Desk::list_line(int branch) const {

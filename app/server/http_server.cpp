@@ -52,11 +52,12 @@ class HttpServer::Entry {
   const socket_t socket_;
 };
 
-HttpServer::HttpServer() {
+HttpServer::HttpServer(std::chrono::milliseconds write_patience) : write_patience_(write_patience) {
   new_task_queue = [] { return new ConnectionThreads(kMostConnections); };
   // The library's own choice would let a second server listen at the same port.
   set_socket_options([](socket_t socket) { set_flag(socket, SOL_SOCKET, SO_REUSEADDR); });
   set_payload_max_length(kMostBody);
+  set_keep_alive_max_count(kMostRequests);  // these two are only told to the other side
   set_keep_alive_timeout(std::chrono::duration_cast<std::chrono::seconds>(kIdleTime).count());
 }
 
@@ -106,7 +107,7 @@ void HttpServer::finish() {
 bool HttpServer::process_and_close_socket(socket_t socket) {
   const Entry entry(*this, socket);
   set_flag(socket, IPPROTO_TCP, TCP_NODELAY);
-  ConnectionStream stream(socket);
+  ConnectionStream stream(socket, write_patience_);
   for (int count = 1; count <= kMostRequests && !is_ending_; ++count) {
     if (!stream.wait_request(kIdleTime)) break;
     stream.begin_request();

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <atomic>
+#include <chrono>
 #include <condition_variable>
 #include <mutex>
 #include <set>
@@ -16,7 +17,8 @@ namespace hydroscope {
 /// else may share, and an end that does not wait for slow readers.
 class HttpServer : public httplib::Server {
  public:
-  HttpServer();
+  /// `write_patience`: who reads nothing for so long is dropped.
+  explicit HttpServer(std::chrono::milliseconds write_patience);
   ~HttpServer() override;
 
   /// Port 0: any free one. Returns the port; throws EnvironmentError naming it when it cannot be had.
@@ -31,6 +33,7 @@ class HttpServer : public httplib::Server {
   bool process_and_close_socket(socket_t socket) override;
   void shut_all(int how);
 
+  const std::chrono::milliseconds write_patience_;
   std::mutex mutex_;
   std::condition_variable closed_;
   std::set<socket_t> sockets_;

@@ -59,7 +59,8 @@ void send_error(int status, const std::string& text, httplib::Response& response
 
 struct Server::Impl {
   Impl(Workstation& workstation, const ServerOptions& options)
-      : desk(workstation, options.settable, options.painter, options.most_viewers) {
+      : desk(workstation, options.settable, options.painter, options.most_viewers),
+        http(options.write_patience) {
     rules.token = make_token();
     shown_host = options.host;
     rules.any_address = options.host == "0.0.0.0" || options.host == "::";

@@ -16,6 +16,7 @@ struct ServerOptions {
   std::vector<std::string> settable;  ///< keys that `set` may change
   FramePainterFactory painter;        ///< empty: make_live_painter(); another one for tests
   int most_viewers = 64;
+  std::chrono::milliseconds write_patience{5000};  ///< who reads nothing for so long is dropped
 };
 
 /// Shows and steers a workstation over HTTP (docs/workstation_api.md). Answers on threads of its own from its
