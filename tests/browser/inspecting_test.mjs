@@ -45,7 +45,7 @@ test('a picked node shows what its saved state says', async () => {
   const state = find_state(program.results, goal.increment);
   const seen = new Set();
   for (const [dx, dy] of [[0.06, 0], [0.13, -0.1], [-0.02, 0.12]]) {
-    const before = await page.locator('#node-values caption').textContent().catch(() => '');
+    const before = await page.evaluate(() => document.querySelector('#node-values caption')?.textContent ?? '');
     await click_part(dx, dy);
     await page.waitForFunction((before) => ![null, before].includes(document.querySelector('#node-values caption')?.textContent ?? null), before);
     const node = Number((await page.locator('#node-values caption').innerText()).match(/Node (\d+)/)[1]);
@@ -110,12 +110,12 @@ test('charts have all rows of the history', async () => {
   await page.keyboard.press('l');
   await page.click('#tab-charts');
   const rows = program.table('history.csv');
-  const counted = async () => (await page.locator('.chart .legend.wide span').allInnerTexts()).map((text) => Number(text.match(/(\d+)$/)?.[1] ?? 0)).reduce((a, b) => a + b, 0);
-  await page.waitForFunction(() => document.querySelector('.chart .legend.wide')?.textContent);
+  const counted = async () => (await page.locator('#panel-charts .legend.wide span').allInnerTexts()).map((text) => Number(text.match(/(\d+)$/)?.[1] ?? 0)).reduce((a, b) => a + b, 0);
+  await page.waitForFunction(() => document.querySelector('#panel-charts .legend.wide')?.textContent);
   assert.equal(await counted(), rows.length, 'each increment has its limiter');
-  const chart = page.locator('.chart-canvas').first();
+  const chart = page.locator('#panel-charts .chart-canvas').first();
   await chart.hover({position: {x: 150, y: 50}});
-  await wait_text(page, '.chart figcaption output', /\d/);
+  await wait_text(page, '#panel-charts figcaption output', /\d/);
   await screenshot(page, '23-charts');
 });
 

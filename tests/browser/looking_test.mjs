@@ -197,9 +197,13 @@ test('everything by keys, and no way in without a way out', async (t) => {
   await press('Enter');
   await own.wait_status((one) => one.pressure_MPa > 5.9 && one.phase === 'paused', '6 MPa');
   await press('Escape');
+  await wait_phase(keys, 'paused');
+  const {increment} = await own.status();
   await press('Space');
+  await own.wait_status((one) => one.increment > increment, 'running by the space bar');
   await wait_phase(keys, 'running');
   await press('Space');
+  await own.wait_status((one) => one.phase === 'paused', 'paused by the space bar');
   await wait_phase(keys, 'paused');
   await press('[');
   await keys.waitForFunction(() => document.getElementById('live').getAttribute('aria-pressed') === 'false');

@@ -46,6 +46,17 @@ export function fly_to(camera, place, size, extent) {
   return {...camera, focus: place, px: 0, py: 0, zoom};
 }
 
+/// Looks from `outward` unless what faces there is seen well enough already (within 65 degrees).
+export function turn_towards(camera, outward) {
+  const size = Math.hypot(...outward), [a, e] = [camera.az, camera.el].map((degrees) => (degrees * Math.PI) / 180);
+  const direction = [Math.cos(a) * Math.cos(e), Math.sin(e), Math.sin(a) * Math.cos(e)];
+  const cosine = outward.reduce((sum, value, i) => sum + value * direction[i], 0) / size;
+  if (!(size > 0) || cosine > 0.42) return camera;
+  const tilted = outward.map((value, i) => value / size + [0.25, 0.35, 0.45][i]), length = Math.hypot(...tilted);
+  const degrees = (radians) => (radians * 180) / Math.PI;
+  return {...camera, az: wrap(degrees(Math.atan2(tilted[2], tilted[0]))), el: clamp(degrees(Math.asin(tilted[1] / length)), -90, 90)};
+}
+
 export function camera_params(camera) {
   const round = (value, digits) => Number(value.toFixed(digits));
   const params = {az: round(camera.az, 3), el: round(camera.el, 3), zoom: Number(camera.zoom.toPrecision(6)),

@@ -2,6 +2,7 @@
 // Change what is ahead: a field for each key that may be set, each with its own answer.
 import {may_steer, send} from './commands.js';
 import {el, replace, set_text} from './dom.js';
+import {read_scene_values} from './scene_values.js';
 import {store} from './store.js';
 
 const parts = {rows: []};
@@ -14,6 +15,7 @@ export function build_change(root) {
           parts.why, parts.filter, parts.list);
   store.on('model', draw);
   store.on(['status', 'connection'], update);
+  store.on(['tab', 'log'], show_values);
 }
 
 function draw() {
@@ -28,9 +30,9 @@ function draw() {
   update();
 }
 
-function make_row(one, i) {
+function make_row(one) {
   const id = `set-${one.key.replace(/[^\w]/g, '-')}`, name = one.key.slice(one.key.lastIndexOf('.') + 1);
-  const field = el('input', {type: 'text', id, autocomplete: 'off', spellcheck: 'false', 'aria-describedby': `${id}-note`, placeholder: one.value ?? '', title: one.doc ?? one.key});
+  const field = el('input', {type: 'text', id, autocomplete: 'off', spellcheck: 'false', 'aria-describedby': `${id}-note`, placeholder: 'default', title: one.doc ?? one.key});
   const submit = el('button', {type: 'submit', class: 'small', 'aria-label': `Set ${one.key}`}, 'Set');
   const note = el('p', {id: `${id}-note`, class: 'note', role: 'status'});
   const row = el('form', {class: 'set', 'data-key': one.key}, el('label', {for: id, title: one.doc ?? one.key}, name), field, submit, note);
@@ -39,15 +41,24 @@ function make_row(one, i) {
     if (field.value.trim() === '') return show(false, 'a value is missing');
     const reply = await send(`set ${one.key} ${field.value.trim()}`);
     show(reply.ok, reply.text);
-    if (reply.ok) field.placeholder = field.value.trim();
   });
   const show = (ok, text) => {
     set_text(note, text);
     note.className = `note ${ok ? 'good' : 'error'}`;
     field.setAttribute('aria-invalid', String(!ok));
   };
-  parts.rows.push({key: one.key, row, submit, index: i});
+  parts.rows.push({key: one.key, row, field, submit});
   return row;
+}
+
+/// What holds now stands in the empty fields, grey.
+async function show_values() {
+  if (store.get('tab') !== 'change') return;
+  const values = await read_scene_values();
+  for (const {key, field} of parts.rows) {
+    field.placeholder = values.get(key) ?? 'default';
+    field.title = `${key} = ${field.placeholder}`;
+  }
 }
 
 function filter() {

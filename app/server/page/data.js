@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Keeps tables of the run up to date: asked for again when the status says that they have grown.
 import {get} from './api.js';
+import {load_origins} from './scene_values.js';
 import {store} from './store.js';
 
 const kPace = 700;  // [ms] between two questions for the same table
@@ -22,7 +23,11 @@ function pace(task) {
   return run;
 }
 
-const load_timeline = pace(async () => store.set('kept', (await get('/api/timeline')).kept));
+const load_timeline = pace(async () => {
+  const {kept} = await get('/api/timeline');
+  if (kept.some((state) => state.branch > 0) || store.get('status')?.branch > 0) await load_origins().catch(() => {});
+  store.set('kept', kept);
+});
 
 let rows_of = null;
 const load_history = pace(async () => {

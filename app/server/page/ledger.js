@@ -73,17 +73,26 @@ function draw() {
 function choose(row) {
   const is_patch = 'node_count' in row;
   const place = row.place_mm ?? row.centre_mm ?? [row.x_mm, row.y_mm, row.z_mm];
-  fly(place, is_patch ? Math.sqrt(Math.max(0, row.area_mm2 ?? 0)) : 0, null);
+  fly_there(row, place, is_patch);
   show_time(is_patch ? row.first_time_s : row.let_go_time_s);
   store.set('selection', is_patch ? {nodes: row.nodes, summary: {}, is_patch: true} : {node: row.node});
   show_reason(row, is_patch);
+}
+
+/// From the side where it lay on the tool, as the kept state before knows it.
+async function fly_there(row, place, is_patch) {
+  const size = is_patch ? Math.sqrt(Math.max(0, row.area_mm2 ?? 0)) : 0, node = is_patch ? row.nodes[0] : row.node;
+  const increment = is_patch ? row.first_increment : row.let_go_increment, {branch} = store.get('status');
+  const before = store.get('kept').filter((state) => state.branch === branch && state.increment < increment).at(-1);
+  const values = before ? await get(`/api/node/${node}`, {state: `${before.branch}.${before.increment}`}).catch(() => null) : null;
+  fly(place, size, values?.tool_normal ?? null);
 }
 
 /// Why it is judged as it is: of a patch, the words of its nodes' episodes.
 function show_reason(row, is_patch) {
   const reasons = is_patch ? ledger.episodes.filter((one) => one.patch === row.patch && one.reason) : [row];
   const title = is_patch ? `Patch ${row.patch}: ${row.verdict}` : `Node ${row.node}: ${row.verdict}`;
-  const details = is_patch ? `Increments ${row.first_increment} to ${row.last_increment}; ${(row.causes ?? []).join(', ')} while ${(row.drives ?? []).join(', ')}; limited by ${(row.limited_by ?? []).join(', ')}.`
+  const details = is_patch ? `Increments ${row.first_increment} to ${row.last_increment}; ${(row.causes ?? []).join(', ')} while ${(row.drives ?? []).join(', ')}; limited by ${[...new Set(row.limited_by ?? [])].join(', ')}.`
                            : `${row.cause ?? ''} while ${row.drive ?? ''}; touched at ${format(row.touched_time_s)} s, let go at ${format(row.let_go_time_s)} s${row.back_time_s !== null && row.back_time_s !== undefined ? `, back at ${format(row.back_time_s)} s` : ''}.`;
   replace(parts.reason, el('strong', {}, title), el('p', {}, details),
           el('ul', {}, reasons.slice(0, 6).map((one) => el('li', {}, is_patch ? `Node ${one.node}: ${one.reason}` : one.reason))),

@@ -93,7 +93,7 @@ export class LineChart {
     for (const mark of x_marks) {
       const x = Math.round(scale.to_x(mark)) + 0.5;
       line(context, x, bottom, x, bottom + 4);
-      if (x < scale.width - 48) context.fillText(tick_text(mark, x_marks.length > 1 ? x_marks[1] - x_marks[0] : mark || 1), x, bottom + 6);
+      if (x < scale.width - 66) context.fillText(tick_text(mark, x_marks.length > 1 ? x_marks[1] - x_marks[0] : mark || 1), x, bottom + 6);
     }
     context.textAlign = 'right';
     context.fillText(this.x_title, scale.width - 2, bottom + 6);

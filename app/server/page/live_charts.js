@@ -76,7 +76,7 @@ function make_strip() {
     let before = first;
     for (const row of rows) {
       context.fillStyle = tint(row.limited_by);
-      context.fillRect(to_x(before), 2, Math.max(0.5, to_x(row.time_s) - to_x(before)), canvas.clientHeight - 4);
+      context.fillRect(to_x(before), 2, Math.max(0.5, to_x(row.time_s) - to_x(before) + 0.5), canvas.clientHeight - 4);
       before = row.time_s;
     }
     if (marked === null) return;

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The journal of the run, what this page sent, and a line for commands in words.
-import {get_text} from './api.js';
+import {get_text, viewer} from './api.js';
 import {send} from './commands.js';
 import {el, replace} from './dom.js';
+import {read_journal} from './scene_values.js';
 import {store} from './store.js';
 
 const kForms = ['run', 'pause', 'step [N]', 'until touch | slip | detachment | yield', 'until pressure P | time T | thinning X | node N',
@@ -64,7 +65,7 @@ async function load() {
   if (store.get('tab') !== 'log' || is_loading) return;
   is_loading = true;
   try {
-    const lines = (await get_text('/api/file', {name: 'journal.jsonl'})).split('\n').filter(Boolean);
+    const lines = read_journal(await get_text('/api/file', {name: 'journal.jsonl'}));
     replace(parts.journal, lines.reverse().slice(0, 300).map(make_entry));
   } catch (error) {
     replace(parts.journal, el('li', {class: 'hint'}, error.status === 404 ? 'No journal yet.' : `No journal: ${error.message}`));
@@ -73,11 +74,9 @@ async function load() {
 }
 
 function make_entry(line) {
-  try {
-    const {increment, command, text, who, ...rest} = JSON.parse(line);
-    const more = Object.entries(rest).filter(([, value]) => typeof value !== 'object').map(([key, value]) => `${key} ${value}`).join(' · ');
-    return el('li', {}, el('span', {class: 'number'}, String(increment ?? '')), el('code', {}, command ?? text ?? line), el('span', {class: 'faint', title: more}, who ? ` ${who}` : ''));
-  } catch {
-    return el('li', {}, line);
-  }
+  const {increment, branch, command, end, message, who, time_s, at, started, version} = line;
+  if (line.journal) return el('li', {}, el('span', {class: 'number'}), `begun by version ${version}`, el('span', {class: 'faint'}, ` ${started ?? ''}`));
+  const person = who === viewer ? 'you' : /^v[0-9a-f]{16}$/.test(who ?? '') ? 'another viewer' : who ?? '';
+  return el('li', {title: `${branch ? `branch ${branch}, ` : ''}${time_s ?? ''} s, ${at ?? ''}`}, el('span', {class: 'number'}, String(increment ?? '')),
+            command ? el('code', {}, command) : `ended: ${end}${message ? `, ${message}` : ''}`, el('span', {class: 'faint'}, ` ${person}`));
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Puts the page together.
-import {fly_to, kHome} from './camera.js';
+import {fly_to, kHome, turn_towards} from './camera.js';
 import {build_change} from './change.js';
 import {connect} from './connection.js';
 import {follow_status, load_all} from './data.js';
@@ -37,11 +37,12 @@ const show_two = (is_two) => {
 store.on('two_views', show_two);
 show_two(false);
 
-/// Looks at a place of the part from near; `size` [mm] of what is there.
-function fly(place, size) {
+/// Looks at a place of the part from near; `size` [mm] of what is there; from the side of the tool that touches it.
+function fly(place, size, tool_normal) {
   const [low, high] = store.get('model').box;
   const extent = Math.hypot(...high.map((value, i) => value - low[i]));
-  store.set('camera', fly_to(store.get('camera'), place, size, extent));
+  const camera = fly_to(store.get('camera'), place, size, extent);
+  store.set('camera', tool_normal ? turn_towards(camera, tool_normal.map((value) => -value)) : camera);
 }
 
 build_notice(find('notice'));
@@ -68,5 +69,5 @@ start_keyboard({
 
 follow_status();
 const start = () => load_all().catch(() => {});
-connect({warning: add_warning, contact: () => {}, recovered: start});
+connect({warning: add_warning, contact: (event) => store.set('last_contact', event), recovered: start});
 start();

@@ -13,7 +13,7 @@ export function make_node_table(nodes) {
   const shown = nodes.slice(0, kMost).map((node) => (typeof node === 'object' ? node : {node}));
   const holder = el('div', {});
   const draw = () => holder.replaceChildren(sort_table({
-    id: 'many-nodes', columns: kColumns.map(([key, caption]) => ({key, caption, format: (value) => (typeof value === 'string' ? value : key === 'node' ? String(value) : format(value))})),
+    id: 'many-nodes', columns: kColumns.map(([key, caption]) => ({key, caption, format: (value) => (typeof value === 'string' ? value : key === 'node' ? String(value) : format(value, 3))})),
     rows: shown, choose: (row) => store.set('selection', {node: row.node})
   }));
   draw();

@@ -19,7 +19,9 @@ class Store {
     selection: null,           // {node} or {nodes, summary}
     theme: 'light',
     tab: 'inspect',
-    scrubbing: false
+    scrubbing: false,
+    origins: new Map(),        // branch -> {branch, increment} that it began from
+    last_contact: null         // newest increment with contact events
   };
   #listeners = new Map();
 

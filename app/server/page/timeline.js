@@ -5,6 +5,7 @@ import {may_steer} from './commands.js';
 import {button, el, replace, set_text} from './dom.js';
 import {dot, line, start_canvas} from './line_chart.js';
 import {fixed, tick_text, ticks} from './numbers.js';
+import {find_origin} from './scene_values.js';
 import {store} from './store.js';
 import {colour} from './theme.js';
 
@@ -28,7 +29,7 @@ export function build_timeline(root) {
       parts.live, parts.text, el('span', {class: 'grow'}), legend, parts.back), parts.canvas);
   attach(parts.canvas);
   new ResizeObserver(draw).observe(parts.canvas);
-  store.on(['kept', 'status', 'shown', 'rows', 'theme'], draw);
+  store.on(['kept', 'status', 'shown', 'rows', 'theme', 'last_contact'], draw);
 }
 
 function attach(canvas) {
@@ -109,16 +110,10 @@ function find_branch() {
 export function go(by) {
   const shown = store.get('shown'), branch = find_branch();
   const states = store.get('kept').filter((state) => state.branch === branch);
-  if (!states.length) return;
+  if (!states.length && !find_origin(branch)) return;
   const at = shown === 'live' ? states.length : states.findIndex((state) => state.increment === shown.increment);
-  if (at === 0 && by < 0 && branch > 0) return go_to_parent(states[0], branch);
+  if (at <= 0 && by < 0 && find_origin(branch)) return show_state(find_origin(branch));
   show_state(states[Math.max(0, Math.min(states.length - 1, at + by))]);
-}
-
-/// From the beginning of a branch on to what lies before it.
-function go_to_parent(first, branch) {
-  const before = store.get('kept').filter((state) => state.branch < branch && state.increment <= first.increment && state.time_s <= first.time_s);
-  if (before.length) show_state(before.reduce((a, b) => (b.increment > a.increment || (b.increment === a.increment && b.branch > a.branch) ? b : a)));
 }
 
 export function go_live() {
@@ -171,6 +166,15 @@ function draw() {
   if (state) draw_cursor(context, layout, state);
 }
 
+/// What happened last, while it is watched.
+function describe_contact() {
+  const last = store.get('last_contact');
+  if (!last) return '';
+  const words = [['touched', 'touched'], ['slipped', 'began to slip'], ['detached', 'let go'], ['retouched', 'touched again']]
+    .filter(([name]) => last[name] > 0).map(([name, text]) => `${last[name]} ${text}`);
+  return words.length ? ` · increment ${last.increment}: ${words.join(', ')}` : '';
+}
+
 function find_shown(kept, shown) {
   return shown === 'live' ? null : kept.find((state) => state.branch === shown.branch && state.increment === shown.increment);
 }
@@ -203,13 +207,13 @@ function draw_axis(context, layout) {
 function draw_lane(context, layout, branch, status) {
   const states = layout.kept.filter((state) => state.branch === branch), y = layout.to_y(branch);
   const end = branch === status.branch ? status.time_s : states.at(-1)?.time_s ?? 0;
-  const start = branch === 0 ? 0 : states[0]?.time_s ?? end;
+  const origin = find_origin(branch), start = branch === 0 ? 0 : origin?.time_s ?? states[0]?.time_s ?? end;
   context.strokeStyle = colour(branch === status.branch ? 'lane-now' : 'lane');
   context.lineWidth = 4;
   line(context, layout.to_x(start), y, Math.max(layout.to_x(end), layout.to_x(start) + 0.5), y);
   if (branch > 0) {
     context.lineWidth = 1.5;
-    line(context, layout.to_x(start), y, layout.to_x(start), y - kLane);
+    line(context, layout.to_x(start), y, layout.to_x(start), origin ? layout.to_y(origin.branch) : y - kLane);
   }
   for (const state of states) draw_state(context, layout.to_x(state.time_s), y, state);
 }
@@ -220,7 +224,7 @@ function draw_state(context, x, y, state) {
   kMarkers.forEach(([name, tint], i) => {
     if (!(state[name] > 0)) return;
     context.fillStyle = colour(tint);
-    context.fillRect(x - 1.5, y - 7 - 1.5 + 0 * i - i * 3.2 + 2, 3, 3);
+    context.fillRect(x - 1.5, y - 6.5 - i * 3.2, 3, 3);
   });
   if (state.why !== 'halt') return;
   context.strokeStyle = colour('text');
@@ -231,7 +235,7 @@ function draw_state(context, x, y, state) {
 function update_text(layout, shown) {
   const status = store.get('status'), is_live = shown === 'live', state = find_shown(layout.kept, shown);
   parts.live.setAttribute('aria-pressed', String(is_live));
-  set_text(parts.text, is_live ? `newest state, ${layout.kept.length} kept` : state ? describe(state) : '');
+  set_text(parts.text, is_live ? `newest state, ${layout.kept.length} kept${describe_contact()}` : state ? describe(state) : '');
   parts.text.title = parts.text.textContent;
   parts.back.hidden = !status?.can_steer;
   parts.back.disabled = is_live || !may_steer() || !state?.can_restore;

@@ -13,7 +13,9 @@ const kPhases = {paused: 'Paused', running: 'Running', ended: 'Ended'};
 
 export function build_topbar(root) {
   parts.title = el('span', {class: 'title', id: 'title'});
-  parts.phase = el('span', {class: 'phase', id: 'phase', role: 'status'});
+  parts.phase_name = el('strong', {});
+  parts.phase_why = el('small', {class: 'faint'});
+  parts.phase = el('span', {class: 'phase', id: 'phase', role: 'status'}, el('span', {}, parts.phase_name, parts.phase_why));
   parts.run = button({icon: 'run', text: 'Run', title: 'Run or pause', key: 'Space', id: 'run', kind: 'primary'}, toggle_run);
   parts.step = button({icon: 'step', text: 'Step', title: 'One increment', key: 'S', id: 'step'}, step);
   parts.stop = button({icon: 'stop', text: 'Stop', title: 'End the run for good', id: 'stop'}, stop);
@@ -46,7 +48,10 @@ function make_readout(name, caption) {
 /// Sends a command and shows what came of it under the buttons. Errors stay until the next command.
 export async function act(text) {
   const reply = await send(text);
-  show_reply(reply.ok ? 'info' : 'error', reply.ok ? reply.text : `${text}: ${reply.text}`);
+  // What went well shows by itself in the phase and the numbers.
+  if (!reply.ok) show_reply('error', reply.text.startsWith(text) ? reply.text : `${text}: ${reply.text}`);
+  else if (text.startsWith('back')) show_reply('info', reply.text);
+  else parts.reply.hidden = true;
   return reply;
 }
 
@@ -109,9 +114,10 @@ function update() {
   const phase = status.phase === 'ended' && status.outcome ? `Ended: ${status.outcome}` : kPhases[status.phase] ?? status.phase;
   set_text(parts.title, status.title);
   parts.title.title = status.title;
-  set_text(parts.phase, status.until ? `${phase} until ${status.until}` : phase);
+  set_text(parts.phase_name, phase);
+  set_text(parts.phase_why, status.until ? `until ${status.until}` : status.message ?? '');
   parts.phase.dataset.phase = status.phase;
-  parts.phase.title = status.message || '';
+  parts.phase.title = parts.phase_why.textContent;
   set_text(parts.readout.increment, String(status.increment) + (status.branch ? ` · branch ${status.branch}` : ''));
   set_text(parts.readout.time, `${fixed(status.time_s, 4)} / ${status.end_time_s} s`);
   set_text(parts.readout.pressure, `${fixed(status.pressure_MPa, 3)} MPa`);

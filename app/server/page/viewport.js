@@ -10,6 +10,7 @@ import {format} from './numbers.js';
 import {state_name, store} from './store.js';
 
 const kDragWidth = 640, kMostWidth = 2560, kMostHeight = 1600;
+const kMostMarks = 40;  // more rings hide what they mark
 const kWithoutRange = ['contact-map', 'tool-normals', 'chatter'];
 export const view_title = (name) => name.replace(/-/g, ' ').replace(/^./, (c) => c.toUpperCase());
 
@@ -100,7 +101,8 @@ export class Viewport {
   /// Query of this picture, as drawn (`rest`) or smaller while something moves.
   params(kind, after = null) {
     const {slot} = this, choice = this.#choice(), display = store.get('display'), selection = store.get('selection');
-    const marked = selection?.node !== undefined ? [selection.node] : (selection?.nodes ?? []).slice(0, 200);
+    const nodes = selection?.nodes ?? [];
+    const marked = selection?.node !== undefined ? [selection.node] : nodes.length <= kMostMarks ? nodes : [];
     return {
       slot, state: state_name(), after, view: choice.view, ...this.#size(kind), ...camera_params(store.get('camera')),
       clip: display.clip, share: display.clip ? display.share : null, flip: display.clip && display.flip ? 1 : null,
