@@ -2,32 +2,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # usage: check_test.sh PROGRAM
 # hydroscope check as a continuous integration meets it. Runs in the top folder.
-set -u
-program=$1
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
-failures=0
+. tests/app/expect.sh
 shipped=tests/baselines/leaving
 
-fail() {
-  failures=$((failures + 1))
-  echo "FAILED: $*"
-  sed 's/^/    /' "$work/out" "$work/err"
-}
-
-# expect CODE TEXT COMMAND...: exit code, and a piece of what is printed. No display, whatever the tester has.
-expect() {
-  code=$1 text=$2
-  shift 2
-  env -u DISPLAY -u WAYLAND_DISPLAY "$@" >"$work/out" 2>"$work/err"
-  got=$?
-  [ "$got" -eq "$code" ] || fail "exit code $got instead of $code: $*"
-  cat "$work/out" "$work/err" | grep -qF -- "$text" || fail "no '$text' from: $*"
-}
-
 check="$program check $shipped/run --baseline $shipped/approved --report $work/report"
-present() { [ -e "$1" ] || fail "$1 is missing"; }
-absent() { [ ! -e "$1" ] || fail "$1 should not be there"; }
 
 # As approved: by the folder of the run or of its states, on any number of threads.
 expect 0 "as the baseline" $check

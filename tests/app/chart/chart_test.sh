@@ -2,27 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # usage: chart_test.sh PROGRAM
 # hydroscope chart as a user meets it, on a study of seconds. Runs in the top folder.
-set -u
-program=$1
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
-failures=0
-
-fail() {
-  failures=$((failures + 1))
-  echo "FAILED: $*"
-  sed 's/^/    /' "$work/out" "$work/err"
-}
-
-# expect CODE TEXT COMMAND...: exit code, and a piece of what is printed.
-expect() {
-  code=$1 text=$2
-  shift 2
-  "$@" >"$work/out" 2>"$work/err"
-  got=$?
-  [ "$got" -eq "$code" ] || fail "exit code $got instead of $code: $*"
-  cat "$work/out" "$work/err" | grep -qF -- "$text" || fail "no '$text' from: $*"
-}
+. tests/app/expect.sh
 
 cat >"$work/blow.toml" <<'SCENE'
 title = "A tube that is blown"
