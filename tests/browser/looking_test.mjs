@@ -109,7 +109,17 @@ test('two views share the camera', async () => {
   assert.equal(camera('a'), '90');
   assert.equal(camera('b'), '90');
   await page.keyboard.press('1');
-  await page.locator('.viewport select.view').nth(1).selectOption('slip');
+  await change_picture(page, () => page.locator('.viewport select.view').nth(1).selectOption('slip'), 'b');
+  const usual = await read_picture(page, 'b');
+  await page.click('#arrows');
+  await change_picture(page, () => page.locator('#slider-scale').fill('2'), 'b');
+  const longer = await read_picture(page, 'b');
+  assert.notEqual(longer.sum, usual.sum, 'arrows are as long as before');
+  await change_picture(page, () => page.locator('#slider-density').fill('0.25'), 'b');
+  assert.notEqual((await read_picture(page, 'b')).sum, longer.sum, 'there are as many arrows as before');
+  await page.locator('#slider-scale').fill('1');
+  await page.locator('#slider-density').fill('1');
+  await page.keyboard.press('Escape');
   await page.click('#tab-charts');
   await page.waitForTimeout(1500);
   await wait_picture(page, 'b');

@@ -5,7 +5,7 @@ import fs from 'node:fs';
 import path from 'node:path';
 import {test} from 'node:test';
 import {open_page, screenshot, text_of, type_command, wait_phase, wait_picture, wait_text} from './browser.mjs';
-import {Program} from './program.mjs';
+import {options, Program} from './program.mjs';
 
 async function run_until(page, kind, value = null) {
   await page.click('#until');
@@ -109,6 +109,28 @@ test('of two viewers one steers, until the other takes the wheel', async (t) => 
   await second.click('#step');
   await wait_picture(first, 'a', 1);
   assert.equal((await program.status()).increment, 1);
+  await second.reload();
+  await wait_picture(second, 'a', 1);
+  await wait_text(second, '#wheel', /You steer/);  // the same tab is the same viewer
+});
+
+test('warnings come as notices and stay in their list', async (t) => {
+  const program = await Program.start('warnings', {subject: path.join(options.folder, '../../scenes/free-bulge.toml')});
+  t.after(() => program.stop());
+  const page = await open_page(program);
+  t.after(() => page.context().close());
+  await page.click('#run');
+  await page.locator('.toast').first().waitFor();
+  assert.match(await page.locator('.toast').first().innerText(), /necking/);
+  await program.wait_status((one) => one.phase === 'ended', 'the end');
+  const {warnings} = JSON.parse(fs.readFileSync(path.join(program.results, 'summary.json'), 'utf8'));
+  await wait_text(page, '#tab-warnings', new RegExp(`${warnings.length}$`));
+  await page.click('#tab-warnings');
+  const shown = await page.locator('#warning-list li').allInnerTexts();
+  assert.equal(shown.length, warnings.length);
+  for (const warning of warnings) assert.ok(shown.some((text) => text.includes(warning.text)), warning.text);
+  await wait_picture(page);
+  await screenshot(page, '09-warning');
 });
 
 test('the browser closes in mid-run, the run goes on and loses nothing', async (t) => {

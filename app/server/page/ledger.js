@@ -7,18 +7,18 @@ import {sort_table} from './sort_table.js';
 import {store} from './store.js';
 import {show_time} from './timeline.js';
 
-const number = (value) => format(value);
+const number = (value) => format(value, 4), short = (value) => format(value, 3);
 const verdict = {key: 'verdict', caption: 'Verdict', kind: (row) => `verdict ${row.verdict}`};
 const kPatches = [
   {key: 'patch', caption: 'Patch'}, {key: 'node_count', caption: 'Nodes'}, {key: 'tool', caption: 'Tool'},
   {key: 'first_increment', caption: 'Incr.', title: 'First increment'}, {key: 'first_time_s', caption: 'Time s', format: number},
-  {key: 'gap_reached_mm', caption: 'Gap mm', title: 'Largest gap reached', format: (value, row) => (row.left_reach ? 'open' : format(value))},
+  {key: 'gap_reached_mm', caption: 'Gap mm', title: 'Largest gap reached', format: (value, row) => (row.left_reach ? 'open' : short(value))},
   {key: 'came_back', caption: 'Back', title: 'Nodes that came back'}, verdict
 ];
 const kEpisodes = [
   {key: 'node', caption: 'Node'}, {key: 'tool', caption: 'Tool'}, {key: 'let_go_increment', caption: 'Incr.'},
-  {key: 'let_go_time_s', caption: 'Time s', format: number}, {key: 'release_force_N', caption: 'Force N', title: 'Normal force as it let go', format: number},
-  {key: 'gap_reached_mm', caption: 'Gap mm', format: (value, row) => (row.left_reach ? 'open' : format(value))}, {key: 'toggles', caption: 'Toggles'}, verdict
+  {key: 'let_go_time_s', caption: 'Time s', format: number}, {key: 'release_force_N', caption: 'Force N', title: 'Normal force as it let go', format: short},
+  {key: 'gap_reached_mm', caption: 'Gap mm', format: (value, row) => (row.left_reach ? 'open' : short(value))}, {key: 'toggles', caption: 'Togg.', title: 'Lettings go and returns so far'}, verdict
 ];
 const parts = {};
 const sorts = {patches: {key: 'first_increment', is_down: false}, episodes: {key: 'let_go_increment', is_down: false}};
@@ -67,7 +67,9 @@ function draw() {
   const count = (name) => all.filter((row) => row.verdict === name).length;
   set_text(parts.note, all.length ? `${all.length} ${is_patches ? 'patches' : 'lettings go'}: ${count('physical')} physical, ${count('noise')} noise, ${count('chatter')} chatter`
                                   : 'Nothing has let go so far.');
-  replace(parts.table, rows.length ? sort_table({id: 'ledger-table', columns: is_patches ? kPatches : kEpisodes, rows: rows.slice(0, 1000), sort: sorts[kind], choose}) : null);
+  const is_one_tool = store.get('model')?.tools.length === 1;
+  const columns = (is_patches ? kPatches : kEpisodes).filter((column) => column.key !== 'tool' || !is_one_tool);
+  replace(parts.table, rows.length ? sort_table({id: 'ledger-table', columns, rows: rows.slice(0, 1000), sort: sorts[kind], choose}) : null);
 }
 
 function choose(row) {

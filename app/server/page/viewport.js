@@ -10,7 +10,7 @@ import {format} from './numbers.js';
 import {state_name, store} from './store.js';
 
 const kDragWidth = 640, kMostWidth = 2560, kMostHeight = 1600;
-const kMostMarks = 40;  // more rings hide what they mark
+const kMostMarks = 12;  // more rings hide what they mark
 const kWithoutRange = ['contact-map', 'tool-normals', 'chatter'];
 export const view_title = (name) => name.replace(/-/g, ' ').replace(/^./, (c) => c.toUpperCase());
 
