@@ -29,6 +29,8 @@ struct FrameOptions {
   bool is_mirrored = true;             ///< show the whole part
   bool facet_normals = false;          ///< tool-normals: also the facets' own normals
   bool element_edges = false;          ///< edges of all elements
+  /// Squares of two by two elements of one class are drawn as one: for elements of a few pixels.
+  bool is_coarse = false;
   double tool_opacity = 0.35;
   bool is_tool_cut = true;    ///< take away the half of the tools on the viewer's side
   bool feature_edges = true;  ///< open and sharp edges of the tools

@@ -141,6 +141,10 @@ Layer& Stage::Impl::layer(Scene& scene, std::vector<std::unique_ptr<Layer>>& lay
                                                                      false);
     added.actor->SetMapper(added.mapper);
     scene.renderer->AddActor(added.actor);
+    // Actors are drawn in the order of their coming: lines after all surfaces, whenever these came.
+    if (&layers != &scene.surfaces) continue;
+    for (const auto& line : scene.lines) scene.renderer->RemoveActor(line->actor);
+    for (const auto& line : scene.lines) scene.renderer->AddActor(line->actor);
   }
   return *layers[index];
 }

@@ -173,13 +173,13 @@ std::vector<std::reference_wrapper<const Views::ToolState>> Views::present_tools
 
 void Views::add_wall(DrawList& list, const Snapshot& snapshot, const std::optional<NodePaint>& paint) const {
   // A closed solid: its polygons are seen from outside or not at all.
-  list.surfaces.push_back({.surface = share(sheet_.make_wall(snapshot, paint)),
+  list.surfaces.push_back({.surface = share(sheet_.make_wall(snapshot, paint, options_.is_coarse)),
                            .colour = theme_->sheet,
                            .faces = SurfaceItem::Faces::kFront});
   if (options_.is_flat) return;
   list.lines.push_back({.lines = share(sheet_.make_rim(snapshot)), .colour = theme_->line, .width = 1.3});
   if (options_.element_edges)
-    list.lines.push_back({.lines = share(sheet_.make_element_edges(snapshot)),
+    list.lines.push_back({.lines = share(sheet_.make_element_edges(snapshot, options_.is_coarse)),
                           .colour = theme_->line,
                           .width = 0.7,
                           .opacity = 0.45});

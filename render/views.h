@@ -41,6 +41,9 @@ class Views {
   void add_marks(DrawList& list, const std::vector<int>& nodes, const Snapshot& snapshot,
                  const Vec3& towards_viewer, double pixel) const;
 
+  /// Mean length of an element edge [mm].
+  double calc_edge_length(const Snapshot& snapshot) const { return sheet_.calc_edge_length(snapshot); }
+
   /// What the camera holds: see FrameOptions::bounds.
   const Bounds& bounds() const { return bounds_; }
 

@@ -7,10 +7,11 @@
 
 namespace hydroscope {
 
-const DrawCache::Entry* DrawCache::find(const LiveView& look, const Vec3& cut,
+const DrawCache::Entry* DrawCache::find(const LiveView& look, const Vec3& cut, bool is_coarse,
                                         const std::shared_ptr<const Snapshot>& snapshot) {
   const auto found = std::find_if(entries_.begin(), entries_.end(), [&](const Entry& entry) {
-    return entry.snapshot == snapshot && entry.cut == cut && entry.look == look;
+    return entry.snapshot == snapshot && entry.cut == cut && entry.is_coarse == is_coarse &&
+           entry.look == look;
   });
   if (found == entries_.end()) return nullptr;
   entries_.splice(entries_.begin(), entries_, found);

@@ -22,14 +22,16 @@ class DrawCache {
   /// tools.
   struct Entry {
     LiveView look;
-    Vec3 cut;  ///< the normal of the tools' cut
+    Vec3 cut;        ///< the normal of the tools' cut
+    bool is_coarse;  ///< see FrameOptions
     std::shared_ptr<const Snapshot> snapshot;
     DrawList list;
     std::optional<Range> range;  ///< of the scalar
     int slot = 0;
   };
   /// Null if there is none.
-  const Entry* find(const LiveView& look, const Vec3& cut, const std::shared_ptr<const Snapshot>& snapshot);
+  const Entry* find(const LiveView& look, const Vec3& cut, bool is_coarse,
+                    const std::shared_ptr<const Snapshot>& snapshot);
   const Entry& keep(Entry entry);
 
  private:

@@ -19,7 +19,9 @@ namespace {
 constexpr int kKept = 6;  // draw lists, each with its snapshot and some 10 MB
 constexpr double kUsualArrows = 2000.0;
 
-FrameOptions make_options(const LiveView& view, const Bounds& bounds) {
+constexpr double kCoarse = 3.2;  // [px] of an element below which rough pictures show four as one
+
+FrameOptions make_options(const LiveView& view, const Bounds& bounds, bool is_coarse) {
   FrameOptions options;
   options.size = {view.width, view.height};
   options.theme = view.theme;
@@ -31,6 +33,7 @@ FrameOptions make_options(const LiveView& view, const Bounds& bounds) {
   options.most_arrows = static_cast<int>(std::lround(kUsualArrows * view.glyph_density));
   options.arrow_scale = view.glyph_scale;
   options.bounds = bounds;
+  options.is_coarse = is_coarse;
   return options;
 }
 
@@ -87,11 +90,11 @@ struct LivePainter::Impl {
   /// The shapes of the whole part, or of the modelled one.
   struct Part {
     Bounds bounds;
+    double edge_length;  ///< mean of the first snapshot's elements [mm]
     std::unique_ptr<Views> views;
   };
   Part& find_part(bool is_mirrored);
-  Views& find_views(const LiveView& view, Part& part);
-  const DrawCache::Entry& find_entry(const LiveView& view, const CameraPose& camera,
+  const DrawCache::Entry& find_entry(const LiveView& view, const CameraPose& camera, bool is_coarse,
                                      const std::shared_ptr<const Snapshot>& snapshot, Part& part);
   Image paint(const LiveView& view, const std::shared_ptr<const Snapshot>& snapshot);
 
@@ -104,24 +107,25 @@ struct LivePainter::Impl {
 
 LivePainter::Impl::Part& LivePainter::Impl::find_part(bool is_mirrored) {
   const auto [place, is_new] = parts.try_emplace(is_mirrored);
-  if (is_new) place->second.bounds = calc_live_bounds(*first, is_mirrored);
-  return place->second;
-}
-
-Views& LivePainter::Impl::find_views(const LiveView& view, Part& part) {
-  const FrameOptions options = make_options(view, part.bounds);
-  if (part.views == nullptr) part.views = std::make_unique<Views>(*first, options);
-  part.views->restyle(options);
-  return *part.views;
+  Part& part = place->second;
+  if (is_new) {
+    part.bounds = calc_live_bounds(*first, is_mirrored);
+    LiveView usual;
+    usual.is_mirrored = is_mirrored;
+    part.views = std::make_unique<Views>(*first, make_options(usual, part.bounds, false));
+    part.edge_length = part.views->calc_edge_length(*first);
+  }
+  return part;
 }
 
 const DrawCache::Entry& LivePainter::Impl::find_entry(const LiveView& view, const CameraPose& camera,
+                                                      bool is_coarse,
                                                       const std::shared_ptr<const Snapshot>& snapshot,
                                                       Part& part) {
   const LiveView look = calc_look(view);
   const Plane cut = calc_live_cut(camera, part.bounds);
-  if (const DrawCache::Entry* kept = cache.find(look, cut.normal, snapshot)) return *kept;
-  DrawCache::Entry made{look, cut.normal, snapshot, {}, std::nullopt};
+  if (const DrawCache::Entry* kept = cache.find(look, cut.normal, is_coarse, snapshot)) return *kept;
+  DrawCache::Entry made{look, cut.normal, is_coarse, snapshot, {}, std::nullopt};
   const auto ranges = find_ranges(view, *snapshot);
   const auto main = ranges.find(view.view);
   if (main != ranges.end()) made.range = main->second;
@@ -135,9 +139,12 @@ Image LivePainter::Impl::paint(const LiveView& view, const std::shared_ptr<const
   check_live_view(view);
   check_marks(view, *snapshot);
   Part& part = find_part(view.is_mirrored);
-  const Views& views = find_views(view, part);
   const CameraPose camera = calc_live_camera(view, part.bounds);
-  const DrawCache::Entry& entry = find_entry(view, camera, snapshot, part);
+  const double pixel = 2.0 * camera.scale / view.height;
+  const bool is_coarse = view.smoothing == 1 && part.edge_length < kCoarse * pixel;
+  Views& views = *part.views;
+  views.restyle(make_options(view, part.bounds, is_coarse));
+  const DrawCache::Entry& entry = find_entry(view, camera, is_coarse, snapshot, part);
   range = entry.range;
   DrawList list = entry.list;
   if (const auto clip = calc_clip_plane(view, part.bounds)) views.add_clip(list, view.view, *snapshot, *clip);

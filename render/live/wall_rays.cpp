@@ -152,7 +152,7 @@ std::vector<int> WallRays::find_seen(double x0, double y0, double x1, double y1)
     if (p.x() < x0 || p.x() > x1 || p.y() < y0 || p.y() > y1 || is_clipped(p)) return false;
     const double above = p.z() + 0.02 * snapshot_.thickness[at(node)];
     return !cells.any(p.x(), p.y(), [&](const std::array<Vec3, 3>& t) {
-      const double depth = find_depth(t, p.x(), p.y(), 1e-6);
+      const double depth = find_depth(t, p.x(), p.y(), -1e-9);
       return depth > above && !is_clipped({p.x(), p.y(), depth});
     });
   };

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 #include <string>
 #include <utility>
 
@@ -22,6 +23,7 @@ class WallBuilder {
       : snapshot_(snapshot), normals_(normals), paint_(paint) {}
 
   void add_face(const std::vector<std::array<int, 4>>& quads, double side);
+  void add_coarse_face(const std::vector<std::array<int, 4>>& quads, const QuadBlocks& blocks, double side);
   void add_rim_quad(int a, int b);
   Surface take() { return std::move(surface_); }
 
@@ -44,6 +46,18 @@ class WallBuilder {
   void add_quad(std::array<int, 4> corners, double side) {
     if (side < 0.0) std::swap(corners[1], corners[3]);
     surface_.polygons.push_back(corners);
+  }
+  bool is_uniform(const std::array<int, 4>& quad) const {
+    const int first = kind(quad[0]);
+    return kind(quad[1]) == first && kind(quad[2]) == first && kind(quad[3]) == first;
+  }
+  void add_whole(const std::array<int, 4>& quad, double side) {
+    add_quad({face_vertex(quad[0], side), face_vertex(quad[1], side), face_vertex(quad[2], side),
+              face_vertex(quad[3], side)},
+             side);
+  }
+  void add_painted(const std::array<int, 4>& quad, double side) {
+    is_uniform(quad) ? add_whole(quad, side) : add_quarters(quad, side);
   }
   void add_quarters(const std::array<int, 4>& quad, double side);
 
@@ -72,16 +86,21 @@ int WallBuilder::face_vertex(int node, double side) {
 
 void WallBuilder::add_face(const std::vector<std::array<int, 4>>& quads, double side) {
   vertex_of_.assign(snapshot_.points.size(), -1);
-  for (const auto& quad : quads) {
-    const int first = kind(quad[0]);
-    const bool is_uniform = kind(quad[1]) == first && kind(quad[2]) == first && kind(quad[3]) == first;
-    if (is_uniform)
-      add_quad({face_vertex(quad[0], side), face_vertex(quad[1], side), face_vertex(quad[2], side),
-                face_vertex(quad[3], side)},
-               side);
-    else
-      add_quarters(quad, side);
+  for (const auto& quad : quads) add_painted(quad, side);
+}
+
+void WallBuilder::add_coarse_face(const std::vector<std::array<int, 4>>& quads, const QuadBlocks& blocks,
+                                  double side) {
+  vertex_of_.assign(snapshot_.points.size(), -1);
+  for (const QuadBlocks::Block& block : blocks.blocks) {
+    // All four meet in the middle: uniform ones are of one kind.
+    const bool is_one =
+        std::all_of(block.quads.begin(), block.quads.end(), [&](int q) { return is_uniform(quads[at(q)]); });
+    if (is_one) add_whole(block.corners, side);
+    for (const int q : block.quads)
+      if (!is_one) add_painted(quads[at(q)], side);
   }
+  for (const int q : blocks.singles) add_painted(quads[at(q)], side);
 }
 
 void WallBuilder::add_quarters(const std::array<int, 4>& quad, double side) {
@@ -203,7 +222,13 @@ std::vector<Vec3> SheetShape::calc_normals(const Snapshot& snapshot) const {
   return normals;
 }
 
-Surface SheetShape::make_wall(const Snapshot& snapshot, const std::optional<NodePaint>& paint) const {
+const QuadBlocks& SheetShape::blocks() const {
+  if (!blocks_) blocks_ = find_quad_blocks(quads_);
+  return *blocks_;
+}
+
+Surface SheetShape::make_wall(const Snapshot& snapshot, const std::optional<NodePaint>& paint,
+                              bool is_coarse) const {
   check_snapshot(snapshot);
   if (paint) {
     const std::size_t nodes = snapshot.points.size();
@@ -215,8 +240,8 @@ Surface SheetShape::make_wall(const Snapshot& snapshot, const std::optional<Node
   const std::vector<Vec3> normals = calc_normals(snapshot);
   const NodePaint* painted = paint ? &*paint : nullptr;
   WallBuilder faces(snapshot, normals, painted);
-  faces.add_face(quads_, 1.0);
-  faces.add_face(quads_, -1.0);
+  for (const double side : {1.0, -1.0})
+    is_coarse ? faces.add_coarse_face(quads_, blocks(), side) : faces.add_face(quads_, side);
   Surface wall = calc_reflected(faces.take(), reflections_);
   for (std::size_t copy = 0; copy < reflections_.size(); ++copy) {
     WallBuilder rim(snapshot, normals, painted);
@@ -241,7 +266,7 @@ LineSet SheetShape::make_rim(const Snapshot& snapshot) const {
   return rim;
 }
 
-LineSet SheetShape::make_element_edges(const Snapshot& snapshot) const {
+LineSet SheetShape::make_element_edges(const Snapshot& snapshot, bool is_coarse) const {
   LineSet piece;
   const int count = static_cast<int>(snapshot.points.size());
   for (double side : {1.0, -1.0})
@@ -249,9 +274,20 @@ LineSet SheetShape::make_element_edges(const Snapshot& snapshot) const {
       piece.points.push_back((snapshot.points[at(node)] +
                               0.5 * side * snapshot.thickness[at(node)] * snapshot.directors[at(node)])
                                  .cast<float>());
-  for (const Edge& edge : edges_) {
-    piece.lines.push_back({edge.a, edge.b});
-    piece.lines.push_back({edge.a + count, edge.b + count});
+  const auto add = [&](int a, int b) {
+    piece.lines.push_back({a, b});
+    piece.lines.push_back({a + count, b + count});
+  };
+  if (!is_coarse)
+    for (const Edge& edge : edges_) add(edge.a, edge.b);
+  if (is_coarse) {
+    std::set<std::pair<int, int>> around;
+    const auto add_around = [&](const std::array<int, 4>& quad) {
+      for (std::size_t k = 0; k < 4; ++k) around.insert(std::minmax({quad[k], quad[(k + 1) % 4]}));
+    };
+    for (const QuadBlocks::Block& block : blocks().blocks) add_around(block.corners);
+    for (const int q : blocks().singles) add_around(quads_[at(q)]);
+    for (const auto& [a, b] : around) add(a, b);
   }
   return calc_reflected(piece, reflections_);
 }

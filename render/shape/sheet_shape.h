@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "render/shape/quad_blocks.h"
 #include "render/shape/surface.h"
 #include "solver/snapshot/snapshot.h"
 
@@ -31,13 +32,15 @@ class SheetShape {
   /// its rim. Quads whose nodes differ in class (or of which some have no
   /// value) are cut into quarters, one a node, so that no colour is invented
   /// between two classes. Without paint the wall is plain.
-  Surface make_wall(const Snapshot& snapshot, const std::optional<NodePaint>& paint) const;
+  /// Coarse: squares of two by two quads of one class are drawn as one quad.
+  Surface make_wall(const Snapshot& snapshot, const std::optional<NodePaint>& paint,
+                    bool is_coarse = false) const;
 
   /// Edges of the wall's rim, on both faces.
   LineSet make_rim(const Snapshot& snapshot) const;
 
-  /// All element edges, on the outer and inner face.
-  LineSet make_element_edges(const Snapshot& snapshot) const;
+  /// All element edges, on the outer and inner face; coarse: those around squares of two by two.
+  LineSet make_element_edges(const Snapshot& snapshot, bool is_coarse = false) const;
 
   /// Unit normals of the mid-surface at the nodes (averaged over the quads,
   /// within the mirror planes of nodes on them).
@@ -53,7 +56,10 @@ class SheetShape {
 
   void find_edges(const Snapshot& first, double tolerance);
 
+  const QuadBlocks& blocks() const;
+
   std::vector<std::array<int, 4>> quads_;
+  mutable std::optional<QuadBlocks> blocks_;  ///< found when first needed
   std::vector<Edge> edges_;
   std::vector<std::vector<Edge>> rim_;  ///< of each copy: where no other copy continues
   std::vector<Reflection> reflections_;
