@@ -86,6 +86,7 @@ function show_hint(selection) {
 function show_node(values, selection) {
   const is_new = parts.node !== values.node;
   parts.node = values.node;
+  parts.values = values;
   parts.number.value = values.node;
   const table = el('table', {class: 'values', id: 'node-values'}, el('caption', {}, `Node ${values.node}`,
     el('span', {class: 'moment'}, `${selection.element !== undefined && selection.element !== null ? `element ${selection.element} · ` : ''}increment ${values.increment} · ${format(values.time_s)} s`)),
@@ -93,7 +94,7 @@ function show_node(values, selection) {
   if (!is_new && parts.table?.isConnected) {
     parts.table.replaceWith(table);
     parts.table = table;
-    return load_history(false);
+    return load_history();
   }
   parts.table = table;
   parts.history = el('div', {id: 'node-history'}, [...parts.charts.values()].map((chart) => chart.root));
@@ -101,15 +102,14 @@ function show_node(values, selection) {
     button({text: 'Fly there', title: 'Look at this node from near', id: 'fly'}, () => fly_to_node(parts.values)),
     store.get('status')?.can_steer ? button({text: 'Run until it lets go', title: 'Halts when this node lets go'}, () => act(`until node ${values.node}`)) : null),
     parts.history);
-  parts.values = values;
-  load_history(true);
+  load_history();
 }
 
 function make_row(key, caption, unit, values) {
-  const value = values[key], cell = el('td', {'data-key': key});
+  const value = values[key], is_list = Array.isArray(value), cell = el('td', {'data-key': key, colspan: is_list ? 2 : null});
   if (key === 'contact') {
     cell.append(el('span', {class: `class ${value}`}, value ?? '–'));
-  } else if (Array.isArray(value)) {
+  } else if (is_list) {
     cell.append(value.map((one) => format(one, 4)).join('\u2002'));
     cell.className = 'list';
   } else {
@@ -117,7 +117,8 @@ function make_row(key, caption, unit, values) {
   }
   if (typeof value === 'number') cell.dataset.value = String(value);
   if (key === 'margin_N') cell.className = margin_class(values);
-  return el('tr', {}, el('th', {scope: 'row'}, caption), cell, el('td', {class: 'unit'}, value === null || value === undefined ? '' : unit));
+  const is_known = value !== null && value !== undefined;
+  return el('tr', {}, el('th', {scope: 'row'}, is_list && unit ? `${caption} [${unit}]` : caption), cell, is_list ? null : el('td', {class: 'unit'}, is_known ? unit : ''));
 }
 
 /// Red below a twentieth of what holds it, amber below a fifth.

@@ -9,16 +9,15 @@ import {show_time} from './timeline.js';
 
 const number = (value) => format(value, 4), short = (value) => format(value, 3);
 const verdict = {key: 'verdict', caption: 'Verdict', kind: (row) => `verdict ${row.verdict}`};
+const gap = {key: 'gap_reached_mm', caption: 'Gap mm', title: 'Largest gap reached', format: (value, row) => (row.left_reach ? 'open' : short(value))};
 const kPatches = [
-  {key: 'patch', caption: 'Patch'}, {key: 'node_count', caption: 'Nodes'}, {key: 'tool', caption: 'Tool'},
-  {key: 'first_increment', caption: 'Incr.', title: 'First increment'}, {key: 'first_time_s', caption: 'Time s', format: number},
-  {key: 'gap_reached_mm', caption: 'Gap mm', title: 'Largest gap reached', format: (value, row) => (row.left_reach ? 'open' : short(value))},
-  {key: 'came_back', caption: 'Back', title: 'Nodes that came back'}, verdict
+  {key: 'patch', caption: 'Patch'}, {key: 'node_count', caption: 'Nodes'}, verdict, {key: 'first_increment', caption: 'Incr.', title: 'First increment'},
+  {key: 'first_time_s', caption: 'Time s', format: number}, gap, {key: 'came_back', caption: 'Back', title: 'Nodes that came back'}, {key: 'tool', caption: 'Tool'}
 ];
 const kEpisodes = [
-  {key: 'node', caption: 'Node'}, {key: 'tool', caption: 'Tool'}, {key: 'let_go_increment', caption: 'Incr.'},
-  {key: 'let_go_time_s', caption: 'Time s', format: number}, {key: 'release_force_N', caption: 'Force N', title: 'Normal force as it let go', format: short},
-  {key: 'gap_reached_mm', caption: 'Gap mm', format: (value, row) => (row.left_reach ? 'open' : short(value))}, {key: 'toggles', caption: 'Togg.', title: 'Lettings go and returns so far'}, verdict
+  {key: 'node', caption: 'Node'}, verdict, {key: 'let_go_increment', caption: 'Incr.'}, {key: 'let_go_time_s', caption: 'Time s', format: number},
+  {key: 'release_force_N', caption: 'Force N', title: 'Normal force as it let go', format: short}, gap,
+  {key: 'toggles', caption: 'Togg.', title: 'Lettings go and returns so far'}, {key: 'tool', caption: 'Tool'}
 ];
 const parts = {};
 const sorts = {patches: {key: 'first_increment', is_down: false}, episodes: {key: 'let_go_increment', is_down: false}};
