@@ -56,7 +56,9 @@ ExitCode replay_journal(const Arguments& arguments) {
   std::printf("results: %s\n", board.folder().c_str());
   std::fflush(stdout);
   if (!steering.trouble().empty()) throw EnvironmentError(steering.trouble());
-  return find_exit_code(run.summary.outcome);
+  const ExitCode code = find_exit_code(run.summary.outcome);
+  const bool is_whole = !Interrupt::flag() && code == ExitCode::kInterrupted;
+  return is_whole ? ExitCode::kDone : code;  // that its user had ended it there is part of the journal
 }
 
 }  // namespace hydroscope

@@ -45,6 +45,7 @@ std::string write_line(const Json& json) {
   bool is_indent = false;
   for (const char c : json.write()) {
     is_indent = c == '\n' || (is_indent && c == ' ');
+    if (is_indent && c == '\n' && line.ends_with(',')) line += ' ';
     if (!is_indent) line += c;
   }
   return line + "\n";

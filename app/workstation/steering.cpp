@@ -6,6 +6,7 @@
 #include "app/results/json.h"
 #include "app/scene_record.h"
 #include "solver/base/error.h"
+#include "solver/scene/number_text.h"
 #include "solver/session/scene_change.h"
 
 namespace hydroscope {
@@ -132,7 +133,7 @@ std::string Steering::change(const Command& command) {
     }
   }
   return command.key + " = " + record_.overrides.back().substr(command.key.size() + 1) + " from " +
-         std::to_string(run_.state().time) + " s on";
+         format_exact(run_.state().time) + " s on";
 }
 
 std::string Steering::go_back(int increment) {
@@ -199,8 +200,8 @@ void Steering::advance() {
   try {
     const StepResult step = run_.step(halting_.time());
     record(step, seconds_since(start));
-    if (has_ended()) return;
-    if (step.report.outcome != Outcome::kRunning) {
+    if (has_ended()) {  // the disk did not take it
+    } else if (step.report.outcome != Outcome::kRunning) {
       end(step.report.outcome, step.report.message);
     } else if (const std::string reached = halting_.judge(step, run_); !reached.empty()) {
       halt(reached);
