@@ -63,10 +63,16 @@ void ConnectionStream::begin_request() {
 
 void ConnectionStream::linger() {
   constexpr int kMostReads = 64;
+  if (is_stuck_) return;
   shutdown(socket_, SHUT_WR);
   const Clock::time_point end = Clock::now() + std::chrono::milliseconds(500);
   for (int i = 0; i < kMostReads && wait(POLLIN, until(end)); ++i)
     if (recv(socket_, buffer_.data(), buffer_.size(), MSG_DONTWAIT) <= 0) break;
+}
+
+void ConnectionStream::abort_if_stuck() const {
+  const ::linger at_once{1, 0};
+  if (is_stuck_) setsockopt(socket_, SOL_SOCKET, SO_LINGER, &at_once, sizeof at_once);
 }
 
 bool ConnectionStream::is_readable() const { return from_ < to_ || wait(POLLIN, until(deadline_)); }
@@ -92,7 +98,10 @@ ssize_t ConnectionStream::write(const char* bytes, size_t size) {
   const Clock::time_point end = Clock::now() + kLongestWrite;
   std::size_t done = 0;
   while (done < size) {
-    if (!wait(POLLOUT, std::min(write_patience_, until(end)))) return -1;
+    if (!wait(POLLOUT, std::min(write_patience_, until(end)))) {
+      is_stuck_ = true;
+      return -1;
+    }
     const ssize_t sent = send(socket_, bytes + done, size - done, MSG_NOSIGNAL | MSG_DONTWAIT);
     if (sent < 0 && (errno == EAGAIN || errno == EINTR)) continue;
     if (sent <= 0) return -1;

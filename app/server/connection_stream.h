@@ -27,6 +27,9 @@ class ConnectionStream : public httplib::Stream {
   /// Says good-bye so that the last answer arrives although not all of the request was read.
   void linger();
 
+  /// The other side did not read in time: what it has not got is thrown away.
+  void abort_if_stuck() const;
+
   bool is_readable() const override;
   bool is_writable() const override;
   ssize_t read(char* bytes, size_t size) override;
@@ -44,6 +47,7 @@ class ConnectionStream : public httplib::Stream {
   std::chrono::milliseconds write_patience_;
   std::array<char, 4096> buffer_{};
   std::size_t from_ = 0, to_ = 0;  ///< unread bytes of `buffer_`
+  bool is_stuck_ = false;
   std::size_t bytes_left_ = kMostBytes;
   Clock::time_point deadline_{};
 };

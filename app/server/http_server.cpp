@@ -13,7 +13,6 @@ namespace hydroscope {
 namespace {
 
 constexpr std::size_t kMostConnections = 512;
-constexpr std::size_t kMostBody = 64 * 1024;
 constexpr int kMostRequests = 1000;                    ///< over one connection
 constexpr std::chrono::milliseconds kIdleTime{5'000};  ///< between two of them
 constexpr std::chrono::milliseconds kEndTime{1'500};
@@ -23,6 +22,8 @@ void set_flag(socket_t socket, int level, int name) {
   const int yes = 1;
   setsockopt(socket, level, name, &yes, sizeof yes);
 }
+
+thread_local bool is_last_answer = false;  // of the connection that this thread serves
 
 bool has_body(const httplib::Request& request) {
   return request.has_header("Transfer-Encoding") ||
@@ -65,17 +66,13 @@ HttpServer::~HttpServer() { finish(); }
 
 int HttpServer::open(const std::string& host, int port) {
   errno = 0;
-  if (port == 0)
-    port = bind_to_any_port(host);
-  else if (!bind_to_port(host, port))
-    port = -1;
-  if (port <= 0) {
+  const int found = port == 0 ? bind_to_any_port(host) : (bind_to_port(host, port) ? port : -1);
+  if (found <= 0) {
     const std::string why = errno != 0 ? std::strerror(errno) : "the address cannot be used";
-    throw EnvironmentError("cannot listen at " + host + " port " + std::to_string(std::max(port, 0)) + ": " +
-                           why);
+    throw EnvironmentError("cannot listen at " + host + " port " + std::to_string(port) + ": " + why);
   }
   ::listen(svr_sock_, kBacklog);
-  return port;
+  return found;
 }
 
 void HttpServer::start() {
@@ -104,6 +101,11 @@ void HttpServer::finish() {
   thread_.join();
 }
 
+void HttpServer::end_connection(httplib::Response& response) {
+  response.set_header("Connection", "close");
+  is_last_answer = true;
+}
+
 bool HttpServer::process_and_close_socket(socket_t socket) {
   const Entry entry(*this, socket);
   set_flag(socket, IPPROTO_TCP, TCP_NODELAY);
@@ -111,6 +113,7 @@ bool HttpServer::process_and_close_socket(socket_t socket) {
   for (int count = 1; count <= kMostRequests && !is_ending_; ++count) {
     if (!stream.wait_request(kIdleTime)) break;
     stream.begin_request();
+    is_last_answer = false;
     bool is_closed = false, had_body = false;
     const bool is_done = process_request(stream, count == kMostRequests || is_ending_, is_closed,
                                          [&had_body](httplib::Request& request) {
@@ -118,9 +121,10 @@ bool HttpServer::process_and_close_socket(socket_t socket) {
                                            had_body = has_body(request);
                                          });
     // What a refused request carries must not be read as the next request.
-    if (!is_done || had_body) stream.linger();
-    if (!is_done || is_closed || had_body) break;
+    if (!is_done || had_body || is_last_answer) stream.linger();
+    if (!is_done || is_closed || had_body || is_last_answer) break;
   }
+  stream.abort_if_stuck();
   return true;
 }
 

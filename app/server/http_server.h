@@ -17,6 +17,8 @@ namespace hydroscope {
 /// else may share, and an end that does not wait for slow readers.
 class HttpServer : public httplib::Server {
  public:
+  static constexpr std::size_t kMostBody = 64 * 1024;  ///< of a request
+
   /// `write_patience`: who reads nothing for so long is dropped.
   explicit HttpServer(std::chrono::milliseconds write_patience);
   ~HttpServer() override;
@@ -25,6 +27,8 @@ class HttpServer : public httplib::Server {
   int open(const std::string& host, int port);
   /// Answers from now on, on threads of its own.
   void start();
+  /// For handlers: the connection that is served by this thread ends with this answer.
+  static void end_connection(httplib::Response& response);
   /// Takes no more connections, lets answers under way finish for a short while, and joins all threads.
   void finish();
 

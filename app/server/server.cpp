@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/server/server.h"
 
+#include <cstdint>
+#include <set>
+
 #include "app/server/access.h"
 #include "app/server/api.h"
 #include "app/server/api_json.h"
@@ -118,6 +121,8 @@ void Server::Impl::set_routes() {
     send_error(500, "a fault of the program", response);
   });
   http.set_error_handler([](const httplib::Request&, httplib::Response& response) {
+    static const std::set<int> kLast = {400, 401, 403, 413, 414, 421};  // nothing good will follow
+    if (kLast.count(response.status) > 0) HttpServer::end_connection(response);
     if (!response.body.empty()) return;
     send_error(response.status,
                response.status == 413 ? "the request is too large" : "the request is malformed", response);
@@ -145,6 +150,8 @@ bool Server::Impl::handle(const httplib::Request& request, httplib::Response& re
   } else if (request.method != method && (is_api || request.method != "HEAD")) {
     response.set_header("Allow", method);
     send_error(405, "this address takes " + method + " only", response);
+  } else if (request.get_header_value<std::uint64_t>("Content-Length") > HttpServer::kMostBody) {
+    send_error(413, "the request is too large", response);  // not waited for
   } else if (method == "POST") {
     return false;
   } else if (!is_api) {
