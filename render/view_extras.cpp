@@ -43,7 +43,7 @@ void Views::add_clip(DrawList& list, const std::string& view, const Snapshot& sn
     if (!translation.allFinite()) continue;
     list.lines.push_back(
         {.lines = std::make_shared<const LineSet>(tools_[i].shape.make_section(translation, behind)),
-         .colour = theme_->line,
+         .colour = theme_->tool_line,
          .width = 2.0,
          .is_cut = options_.is_tool_cut,
          .is_clipped = false});

@@ -10,7 +10,7 @@
 namespace hydroscope {
 
 /// What lies under a pixel. Needs no renderer: rays against the drawn wall, with its mirror images and what
-/// the clip plane leaves of it.
+/// the clip plane leaves of it. Tools are looked through, however opaque they are: who clicks wants the wall.
 struct Pick {
   int node = -1;              ///< of the modelled part, nearest to the place
   int element = -1;           ///< of the modelled part
