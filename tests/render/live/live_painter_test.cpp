@@ -76,7 +76,7 @@ class LivePicture : public testing::Test {
 
 TEST_F(LivePicture, TheSameViewOfTheSameStateIsTheSamePicture) {
   for (const std::string& view_name : view_names()) {
-    LiveView view = make_view([&](LiveView& v) { v.view = view_name, v.has_text = true; });
+    LiveView view = make_view([&](LiveView& v) { v.view = view_name; });
     const Image a = paint(view);
     const Image b = bulge().painter->paint(view, bulge().early);
     if (view_name != "tool-normals") {
@@ -102,6 +102,15 @@ TEST_F(LivePicture, DoesNotDependOnWhatWasDrawnBefore) {
       v.tool_opacity = 0.1 * i, v.smoothing = 1 + i % 2, v.is_mirrored = i % 2, v.marked = {i};
     });
   EXPECT_EQ(count_changed(paint(wanted), alone, 0), 0);
+}
+
+TEST_F(LivePicture, AnotherSideOfTheToolsIsCutAsThePartIsTurned) {
+  // The look is the same, the cut is not: what was kept for one side must not serve the other.
+  for (const double azimuth : {35.0, 125.0, 35.0, 215.0}) {
+    const LiveView view = make_view([&](LiveView& v) { v.azimuth = azimuth, v.tool_opacity = 1.0; });
+    LivePainter fresh(bulge().first);
+    EXPECT_EQ(count_changed(paint(view), fresh.paint(view, bulge().late), 0), 0) << azimuth;
+  }
 }
 
 TEST_F(LivePicture, AllViewsDifferAlsoInSmallPictures) {
