@@ -124,16 +124,23 @@ ServedScene::ServedScene(FramePainterFactory painter, int most_viewers,
   server_options.painter = std::move(painter);
   server_options.most_viewers = most_viewers;
   server_options.write_patience = write_patience;
-  server = std::make_unique<Server>(*workstation, server_options);
+  serve(server_options);
+}
+
+void ServedScene::serve(const ServerOptions& options) {
+  server.reset();
+  server = std::make_unique<Server>(*workstation, options);
+  port_ = server->port();
+  token_ = server->token();
 }
 
 httplib::Headers ServedScene::own_headers() const {
-  return {{"Host", own_host()}, {"Authorization", "Bearer " + server->token()}};
+  return {{"Host", own_host()}, {"Authorization", "Bearer " + token_}};
 }
 
 Got ServedScene::request(const std::string& method, const std::string& target,
                          const httplib::Headers& headers, const std::string& body) const {
-  httplib::Client client("127.0.0.1", server->port());
+  httplib::Client client("127.0.0.1", port_);
   client.set_read_timeout(kPatience);
   client.set_url_encode(false);
   httplib::Request request;

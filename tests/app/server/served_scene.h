@@ -52,6 +52,9 @@ class ServedScene {
   explicit ServedScene(FramePainterFactory painter, int most_viewers = 64,
                        std::chrono::milliseconds write_patience = std::chrono::seconds(5));
 
+  /// Instead of the present server, if any. Clients find it even when it has ended.
+  void serve(const ServerOptions& options);
+
   /// With the token.
   Got get(const std::string& target) const;
   Got post(const std::string& target, const std::string& body = "") const;
@@ -60,7 +63,7 @@ class ServedScene {
               const std::string& body = "") const;
   /// "Host" and token of a proper client.
   httplib::Headers own_headers() const;
-  std::string own_host() const { return "127.0.0.1:" + std::to_string(server->port()); }
+  std::string own_host() const { return "127.0.0.1:" + std::to_string(port_); }
   /// `viewer` steers; the reply's text.
   std::string command(const std::string& text, const std::string& viewer = "a") const;
   WorkstationStatus wait_for(const std::function<bool(const WorkstationStatus&)>& is_met) const;
@@ -71,6 +74,10 @@ class ServedScene {
   TemporaryFolder folder;
   std::unique_ptr<Workstation> workstation;
   std::unique_ptr<Server> server;
+
+ private:
+  int port_ = 0;
+  std::string token_;
 };
 
 /// An event stream that somebody reads until told to stop, or until its end.

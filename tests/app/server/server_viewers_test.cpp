@@ -299,7 +299,7 @@ TEST_F(ServerViewers, ResultsOnDiskAreLookedAtOnly) {
   scene_.workstation = std::make_unique<Workstation>(std::filesystem::path(scene_.results()));
   ServerOptions options;
   options.painter = make_stand_in(gate_);
-  scene_.server = std::make_unique<Server>(*scene_.workstation, options);
+  scene_.serve(options);
   EXPECT_FALSE(status().at("can_steer").flag());
   const Got refused = scene_.post("/api/command?viewer=a", "run");
   EXPECT_EQ(refused.status, 409);
