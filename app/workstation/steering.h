@@ -9,6 +9,7 @@
 #include "app/workstation/halting.h"
 #include "app/workstation/journal.h"
 #include "app/workstation/restore_points.h"
+#include "solver/base/error.h"
 #include "solver/session/steered_run.h"
 
 namespace hydroscope {
@@ -48,6 +49,7 @@ class Steering {
   void start_branch(int parent, const RunPoint& point);
   void leave_branch(const std::string& message);
 
+  void judge(const StepResult& step);
   void record(const StepResult& step, double seconds);
   void keep(const char* why);
   void halt(const std::string& message);
@@ -56,8 +58,17 @@ class Steering {
   void write_summary(Outcome outcome, const std::string& message);
   JournalEntry make_entry() const;
   void publish();
+  /// Results that cannot be kept are not worth computing: the run ends, what is there is whole.
   template <class Action>
-  void write(const Action& action);
+  void write(const Action& action) {
+    if (!disk_works_) return;
+    try {
+      action();
+    } catch (const EnvironmentError& error) {
+      disk_works_ = false;
+      fail(error.what());
+    }
+  }
 
   WorkstationOptions options_;
   Board& board_;
