@@ -3,10 +3,8 @@
 
 #include <algorithm>
 
-#include "app/results/json.h"
 #include "app/scene_record.h"
 #include "solver/base/error.h"
-#include "solver/scene/number_text.h"
 #include "solver/session/scene_change.h"
 
 namespace hydroscope {
