@@ -11,6 +11,7 @@
 
 #include "app/commands.h"
 #include "app/frame_options.h"
+#include "app/frame_sink.h"
 #include "app/interrupt.h"
 #include "app/server/server.h"
 #include "app/workstation/workstation.h"
@@ -100,6 +101,9 @@ ExitCode serve(const Arguments& arguments) {
   if (arguments.has("--port")) options.port = parse_whole_number("--port", arguments.get("--port"), 0, 65535);
   const bool is_folder = std::filesystem::is_directory(arguments.operands.front());
   warn_of_host(options.host);
+
+  check_address(options.host, options.port);
+  check_renderer(1);
 
   const Interrupt interrupt;
   const Served served = is_folder ? open_results(arguments) : start_scene(arguments);

@@ -62,7 +62,11 @@ HttpServer::HttpServer(std::chrono::milliseconds write_patience) : write_patienc
   set_keep_alive_timeout(std::chrono::duration_cast<std::chrono::seconds>(kIdleTime).count());
 }
 
-HttpServer::~HttpServer() { finish(); }
+HttpServer::~HttpServer() {
+  const bool was_started = thread_.joinable();
+  finish();
+  if (!was_started && svr_sock_ != INVALID_SOCKET) close(svr_sock_);
+}
 
 int HttpServer::open(const std::string& host, int port) {
   errno = 0;

@@ -214,6 +214,10 @@ std::string Server::url() const {
   return "http://" + impl_->shown_host + ":" + std::to_string(port()) + "/?token=" + token();
 }
 
+void check_address(const std::string& host, int port) {
+  HttpServer(std::chrono::seconds(1)).open(host, port);
+}
+
 bool is_loopback(const std::string& host) {
   return host == "localhost" || host == "::1" || host.rfind("127.", 0) == 0;
 }

@@ -39,6 +39,9 @@ class Server {
   std::unique_ptr<Impl> impl_;
 };
 
+/// Throws EnvironmentError when a server could not listen there now: to be asked before anything is written.
+void check_address(const std::string& host, int port);
+
 /// Whether only this machine can reach it: 127.x.x.x, ::1 or localhost.
 bool is_loopback(const std::string& host);
 
