@@ -64,7 +64,7 @@ function draw() {
   const all = is_patches ? ledger.patches : ledger.episodes.filter((row) => row.let_go_increment !== null);
   const rows = all.filter((row) => !wanted || row.verdict === wanted);
   const count = (name) => all.filter((row) => row.verdict === name).length;
-  set_text(parts.note, all.length ? `${all.length} ${is_patches ? 'patches' : 'lettings go'}: ${count('physical')} physical, ${count('noise')} noise, ${count('chatter')} chatter`
+  set_text(parts.note, all.length ? `${all.length} ${is_patches ? (all.length === 1 ? 'patch' : 'patches') : all.length === 1 ? 'letting go' : 'lettings go'}: ${count('physical')} physical, ${count('noise')} noise, ${count('chatter')} chatter`
                                   : 'Nothing has let go so far.');
   const is_one_tool = store.get('model')?.tools.length === 1;
   const columns = (is_patches ? kPatches : kEpisodes).filter((column) => column.key !== 'tool' || !is_one_tool);

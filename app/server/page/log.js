@@ -75,7 +75,7 @@ async function load() {
 
 function make_entry(line) {
   const {increment, branch, command, end, message, who, time_s, at, started, version} = line;
-  if (line.journal) return el('li', {}, el('span', {class: 'number'}), `begun by version ${version}`, el('span', {class: 'faint'}, ` ${started ?? ''}`));
+  if (line.journal) return el('li', {}, el('span', {class: 'number'}), `begun by version ${version}`, el('span', {class: 'faint'}, ` ${(started ?? '').replace('T', ' ').replace(/:\d\dZ$/, '')}`));
   const person = who === viewer ? 'you' : /^v[0-9a-f]{16}$/.test(who ?? '') ? 'another viewer' : who ?? '';
   return el('li', {title: `${branch ? `branch ${branch}, ` : ''}${time_s ?? ''} s, ${at ?? ''}`}, el('span', {class: 'number'}, String(increment ?? '')),
             command ? el('code', {}, command) : `ended: ${end}${message ? `, ${message}` : ''}`, el('span', {class: 'faint'}, ` ${person}`));

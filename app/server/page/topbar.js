@@ -115,7 +115,8 @@ function update() {
   set_text(parts.title, status.title);
   parts.title.title = status.title;
   set_text(parts.phase_name, phase);
-  set_text(parts.phase_why, status.until ? `until ${status.until}` : status.message ?? '');
+  const why = status.message?.toLowerCase() === phase.toLowerCase() ? '' : status.message ?? '';
+  set_text(parts.phase_why, status.until ? `until ${status.until}` : why);
   parts.phase.dataset.phase = status.phase;
   parts.phase.title = parts.phase_why.textContent;
   set_text(parts.readout.increment, String(status.increment) + (status.branch ? ` · branch ${status.branch}` : ''));
@@ -137,8 +138,7 @@ function update_buttons(status) {
   parts.step.disabled = !can || status.phase !== 'paused';
   parts.until.set_disabled(!can || status.phase === 'ended');
   parts.stop.disabled = !can || status.phase === 'ended';
-  const why = can ? '' : 'Another viewer steers: take the wheel first';
-  parts.steering.title = why;
+  parts.steering.title = can ? '' : 'Another viewer steers: take the wheel first';
 }
 
 function update_wheel(status) {
