@@ -29,7 +29,7 @@ std::string escape_html(const std::string& text) {
   return escaped;
 }
 
-std::optional<std::string> find_url_token(const Target& target) {
+std::optional<std::string> find_url_token(const RequestTarget& target) {
   try {
     const Query query = Query::parse(target.query);
     return query.has("token") ? std::optional(query.text("token")) : std::nullopt;
@@ -40,16 +40,16 @@ std::optional<std::string> find_url_token(const Target& target) {
 
 }  // namespace
 
-Target split_target(const std::string& target) {
+RequestTarget split_target(const std::string& target) {
   const std::size_t mark = std::min(target.find('?'), target.size());
   if (mark > kLongestPath) throw InputError("the address is too long");
   if (target.empty() || target.front() != '/') throw InputError("the address is no path");
-  Target parts{decode_url(target.substr(0, mark), false), ""};
+  RequestTarget parts{decode_url(target.substr(0, mark), false), ""};
   if (mark < target.size()) parts.query = target.substr(mark + 1);
   return parts;
 }
 
-RequestFacts make_facts(const httplib::Request& request, const Target& target) {
+RequestFacts make_facts(const httplib::Request& request, const RequestTarget& target) {
   RequestFacts facts;
   facts.hosts = list_header(request, "Host");
   facts.origins = list_header(request, "Origin");

@@ -8,15 +8,15 @@
 namespace hydroscope {
 
 /// What a request asks for: its address in parts.
-struct Target {
+struct RequestTarget {
   std::string path;   ///< decoded
   std::string query;  ///< as sent
 };
 
 /// Throws InputError for an address that is too long, broken, or no path.
-Target split_target(const std::string& target);
+RequestTarget split_target(const std::string& target);
 
-RequestFacts make_facts(const httplib::Request& request, const Target& target);
+RequestFacts make_facts(const httplib::Request& request, const RequestTarget& target);
 
 /// A short page or JSON that says why not.
 void refuse(const Refusal& refusal, bool is_page, httplib::Response& response);

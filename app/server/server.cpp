@@ -84,8 +84,8 @@ struct Server::Impl {
   static std::string to_lower_case(std::string text);
   void set_routes();
   bool handle(const httplib::Request& request, httplib::Response& response);
-  void send_page(const RequestFacts& facts, const Target& target, httplib::Response& response) const;
-  void send_events(const Target& target, httplib::Response& response);
+  void send_page(const RequestFacts& facts, const RequestTarget& target, httplib::Response& response) const;
+  void send_events(const RequestTarget& target, httplib::Response& response);
 
   AccessRules rules;
   std::string shown_host;
@@ -112,7 +112,7 @@ void Server::Impl::set_routes() {
     return handle(request, response) ? Handling::Handled : Handling::Unhandled;
   });
   const auto post = [this](const httplib::Request& request, httplib::Response& response) {
-    const Target target = split_target(request.target);
+    const RequestTarget target = split_target(request.target);
     send(answer_api(desk, target.path, target.query, request.body), response);
   };
   http.Post("/api/command", post);
@@ -131,7 +131,7 @@ void Server::Impl::set_routes() {
 
 /// False where the body has to be read first.
 bool Server::Impl::handle(const httplib::Request& request, httplib::Response& response) {
-  Target target;
+  RequestTarget target;
   try {
     target = split_target(request.target);
   } catch (const InputError& error) {
@@ -164,7 +164,7 @@ bool Server::Impl::handle(const httplib::Request& request, httplib::Response& re
   return true;
 }
 
-void Server::Impl::send_page(const RequestFacts& facts, const Target& target,
+void Server::Impl::send_page(const RequestFacts& facts, const RequestTarget& target,
                              httplib::Response& response) const {
   if (facts.url_token) {
     response.status = 303;
@@ -184,7 +184,7 @@ void Server::Impl::send_page(const RequestFacts& facts, const Target& target,
   response.set_content(std::string(file->bytes), find_page_type(file->name));
 }
 
-void Server::Impl::send_events(const Target& target, httplib::Response& response) {
+void Server::Impl::send_events(const RequestTarget& target, httplib::Response& response) {
   std::string viewer;
   try {
     const Query query = Query::parse(target.query);
