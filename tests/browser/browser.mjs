@@ -4,18 +4,24 @@ import fs from 'node:fs';
 import path from 'node:path';
 import {options} from './program.mjs';
 
-export const kPatience = 45000;  // [ms]; a limit for what hangs, not a measure
+export const kPatience = 45000; // [ms]; a limit for what hangs, not a measure
 const kPlaces = [process.env.CHROMIUM, '/usr/bin/chromium', '/usr/bin/chromium-browser', '/usr/bin/google-chrome'];
 
-export function find_chromium() { return kPlaces.find((place) => place && fs.existsSync(place)); }
+export function find_chromium() {
+  return kPlaces.find((place) => place && fs.existsSync(place));
+}
 
-let chromium = null, browser = null;
+let chromium = null,
+  browser = null;
 
 export async function open_browser() {
   if (browser?.isConnected()) return browser;
   chromium ??= (await import('playwright-core')).chromium;
   // Containers often run as root and without a large /dev/shm.
-  browser = await chromium.launch({executablePath: find_chromium(), args: ['--no-sandbox', '--disable-dev-shm-usage', '--disable-gpu']});
+  browser = await chromium.launch({
+    executablePath: find_chromium(),
+    args: ['--no-sandbox', '--disable-dev-shm-usage', '--disable-gpu']
+  });
   return browser;
 }
 
@@ -32,7 +38,9 @@ export async function open_viewer({width = 1366, height = 768, ...more} = {}) {
   page.faults = [];
   page.asked = [];
   page.on('pageerror', (error) => page.faults.push(String(error)));
-  page.on('console', (message) => { if (/Content Security|Uncaught|TypeError/.test(message.text())) page.faults.push(message.text()); });
+  page.on('console', (message) => {
+    if (/Content Security|Uncaught|TypeError/.test(message.text())) page.faults.push(message.text());
+  });
   page.on('request', (request) => page.asked.push(request.url()));
   return page;
 }
@@ -47,21 +55,28 @@ export async function open_page(program, more = {}) {
 
 /// Waits until the picture at rest shows what is wished: no movement, full quality.
 export async function wait_picture(page, slot = 'a', increment = null) {
-  await page.waitForFunction(([slot, increment]) => {
-    const {kind, increment: shown} = document.getElementById(`surface-${slot}`)?.dataset ?? {};
-    return kind === 'rest' && (increment === null || Number(shown) === increment);
-  }, [slot, increment]);
+  await page.waitForFunction(
+    ([slot, increment]) => {
+      const {kind, increment: shown} = document.getElementById(`surface-${slot}`)?.dataset ?? {};
+      return kind === 'rest' && (increment === null || Number(shown) === increment);
+    },
+    [slot, increment]
+  );
 }
 
 /// Does something that changes the picture and waits for the full one.
 export async function change_picture(page, act, slot = 'a') {
-  const count = () => page.evaluate((slot) => Number(document.getElementById(`surface-${slot}`).dataset.frames || 0), slot);
+  const count = () =>
+    page.evaluate((slot) => Number(document.getElementById(`surface-${slot}`).dataset.frames || 0), slot);
   const before = await count();
   await act();
-  await page.waitForFunction(([slot, before]) => {
-    const {kind, frames} = document.getElementById(`surface-${slot}`).dataset;
-    return kind === 'rest' && Number(frames) > before;
-  }, [slot, before]);
+  await page.waitForFunction(
+    ([slot, before]) => {
+      const {kind, frames} = document.getElementById(`surface-${slot}`).dataset;
+      return kind === 'rest' && Number(frames) > before;
+    },
+    [slot, before]
+  );
 }
 
 /// Of the picture as it is shown: a check sum, the number of colours, the mean brightness 0..255.
@@ -70,7 +85,8 @@ export function read_picture(page, slot = 'a') {
     const canvas = document.querySelector(`#surface-${slot} canvas`);
     const {data} = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height);
     const colours = new Set();
-    let sum = 2166136261, light = 0;
+    let sum = 2166136261,
+      light = 0;
     for (let i = 0; i < data.length; i += 4) {
       const rgb = (data[i] << 16) | (data[i + 1] << 8) | data[i + 2];
       colours.add(rgb);
@@ -84,7 +100,10 @@ export function read_picture(page, slot = 'a') {
 export const text_of = (page, selector) => page.locator(selector).innerText();
 
 export function wait_text(page, selector, pattern) {
-  return page.waitForFunction(([selector, source]) => new RegExp(source).test(document.querySelector(selector)?.textContent ?? ''), [selector, pattern.source]);
+  return page.waitForFunction(
+    ([selector, source]) => new RegExp(source).test(document.querySelector(selector)?.textContent ?? ''),
+    [selector, pattern.source]
+  );
 }
 
 export async function screenshot(page, name) {
@@ -103,4 +122,5 @@ export async function type_command(page, text) {
   return page.locator('#replies li').last().innerText();
 }
 
-export const wait_phase = (page, phase) => page.waitForFunction((phase) => document.getElementById('phase').dataset.phase === phase, phase);
+export const wait_phase = (page, phase) =>
+  page.waitForFunction((phase) => document.getElementById('phase').dataset.phase === phase, phase);

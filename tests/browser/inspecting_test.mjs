@@ -8,15 +8,18 @@ import {options, Program} from './program.mjs';
 import {find_state} from './state_file.mjs';
 
 const kClasses = ['free', 'stick', 'slip', 'detached now'];
-let program = null, page = null;
+let program = null,
+  page = null;
 
 before(async () => {
   program = await Program.start('inspecting');
   page = await open_page(program);
   await type_command(page, 'run');
   await program.wait_status((one) => one.phase === 'ended', 'the end');
-  await page.waitForFunction((count) => Number(document.getElementById('track').getAttribute('aria-valuemax')) >= count,
-                             (await program.get('/api/timeline?viewer=test')).kept.length);
+  await page.waitForFunction(
+    (count) => Number(document.getElementById('track').getAttribute('aria-valuemax')) >= count,
+    (await program.get('/api/timeline?viewer=test')).kept.length
+  );
   await page.click('#tab-inspect');
 });
 
@@ -32,8 +35,14 @@ async function click_part(dx = 0, dy = 0, options = {}) {
 
 /// What the table of values says, by the keys of the API.
 function read_values() {
-  return page.evaluate(() => Object.fromEntries([...document.querySelectorAll('#node-values td[data-key]')]
-    .map((cell) => [cell.dataset.key, cell.dataset.value === undefined ? cell.innerText.trim() : Number(cell.dataset.value)])));
+  return page.evaluate(() =>
+    Object.fromEntries(
+      [...document.querySelectorAll('#node-values td[data-key]')].map((cell) => [
+        cell.dataset.key,
+        cell.dataset.value === undefined ? cell.innerText.trim() : Number(cell.dataset.value)
+      ])
+    )
+  );
 }
 
 test('a picked node shows what its saved state says', async () => {
@@ -44,18 +53,28 @@ test('a picked node shows what its saved state says', async () => {
   await wait_picture(page, 'a', goal.increment);
   const state = find_state(program.results, goal.increment);
   const seen = new Set();
-  for (const [dx, dy] of [[0.06, 0], [0.13, -0.1], [-0.02, 0.12]]) {
+  for (const [dx, dy] of [
+    [0.06, 0],
+    [0.13, -0.1],
+    [-0.02, 0.12]
+  ]) {
     const before = await page.evaluate(() => document.querySelector('#node-values caption')?.textContent ?? '');
     await click_part(dx, dy);
-    await page.waitForFunction((before) => ![null, before].includes(document.querySelector('#node-values caption')?.textContent ?? null), before);
+    await page.waitForFunction(
+      (before) => ![null, before].includes(document.querySelector('#node-values caption')?.textContent ?? null),
+      before
+    );
     const node = Number((await page.locator('#node-values caption').innerText()).match(/Node (\d+)/)[1]);
     seen.add(node);
     const shown = await read_values();
-    for (const key of ['thickness_mm', 'plastic_strain', 'contact_pressure_MPa']) assert.equal(shown[key], state[key][node], `${key} of node ${node}`);
+    for (const key of ['thickness_mm', 'plastic_strain', 'contact_pressure_MPa'])
+      assert.equal(shown[key], state[key][node], `${key} of node ${node}`);
     if (Number.isFinite(state.gap_mm[node])) assert.equal(shown.gap_mm, state.gap_mm[node]);
     assert.equal(shown.contact, kClasses[state.contact_state[node]]);
-    const [x, y, z] = state.contact_force_N[node], [nx, ny, nz] = state.tool_normal[node];
-    if (state.contact_tool[node] >= 0) assert.ok(Math.abs(shown.normal_force_N - (x * nx + y * ny + z * nz)) < 1e-9 * (1 + Math.hypot(x, y, z)));
+    const [x, y, z] = state.contact_force_N[node],
+      [nx, ny, nz] = state.tool_normal[node];
+    if (state.contact_tool[node] >= 0)
+      assert.ok(Math.abs(shown.normal_force_N - (x * nx + y * ny + z * nz)) < 1e-9 * (1 + Math.hypot(x, y, z)));
   }
   assert.ok(seen.size > 1, 'three places, one node');
   await page.waitForTimeout(800);
@@ -82,13 +101,18 @@ test('a rectangle gathers nodes', async () => {
 });
 
 test('the ledger is that of the command line; a click flies to the patch and its moment', async () => {
-  const ledger = JSON.parse(execFileSync(options.program, ['inspect', program.results, '--json'], {maxBuffer: 1 << 28}));
+  const ledger = JSON.parse(
+    execFileSync(options.program, ['inspect', program.results, '--json'], {maxBuffer: 1 << 28})
+  );
   await page.click('#tab-ledger');
   await page.locator('#ledger-table tbody tr').first().waitFor();
   assert.equal(await page.locator('#ledger-table tbody tr').count(), ledger.patches.length);
   await page.click('#ledger-table th[data-key="node_count"] button');
   const counts = await page.locator('#ledger-table tbody tr td:nth-child(2)').allInnerTexts();
-  assert.deepEqual(counts.map(Number), ledger.patches.map((patch) => patch.node_count).sort((a, b) => a - b));
+  assert.deepEqual(
+    counts.map(Number),
+    ledger.patches.map((patch) => patch.node_count).sort((a, b) => a - b)
+  );
   await page.locator('#ledger-table tbody tr').last().focus();
   page.asked.length = 0;
   await page.keyboard.press('Enter');
@@ -101,7 +125,9 @@ test('the ledger is that of the command line; a click flies to the patch and its
   most.centre_mm.forEach((value, i) => assert.ok(Math.abs(Number(asked.get(['fx', 'fy', 'fz'][i])) - value) < 1e-6));
   assert.ok(Number(asked.get('zoom')) > 1.2);
   const {kept} = await program.get('/api/timeline?viewer=test');
-  const nearest = kept.reduce((a, b) => (Math.abs(b.time_s - most.first_time_s) < Math.abs(a.time_s - most.first_time_s) ? b : a));
+  const nearest = kept.reduce((a, b) =>
+    Math.abs(b.time_s - most.first_time_s) < Math.abs(a.time_s - most.first_time_s) ? b : a
+  );
   assert.equal(asked.get('state'), `0.${nearest.increment}`);
   await screenshot(page, '22-ledger');
 });
@@ -110,7 +136,10 @@ test('charts have all rows of the history', async () => {
   await page.keyboard.press('l');
   await page.click('#tab-charts');
   const rows = program.table('history.csv');
-  const counted = async () => (await page.locator('#panel-charts .legend.wide span').allInnerTexts()).map((text) => Number(text.match(/(\d+)$/)?.[1] ?? 0)).reduce((a, b) => a + b, 0);
+  const counted = async () =>
+    (await page.locator('#panel-charts .legend.wide span').allInnerTexts())
+      .map((text) => Number(text.match(/(\d+)$/)?.[1] ?? 0))
+      .reduce((a, b) => a + b, 0);
   await page.waitForFunction(() => document.querySelector('#panel-charts .legend.wide')?.textContent);
   assert.equal(await counted(), rows.length, 'each increment has its limiter');
   const chart = page.locator('#panel-charts .chart-canvas').first();

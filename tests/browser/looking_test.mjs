@@ -3,10 +3,22 @@
 import assert from 'node:assert/strict';
 import fs from 'node:fs';
 import {after, before, test} from 'node:test';
-import {change_picture, open_page, read_picture, screenshot, text_of, type_command, wait_phase, wait_picture, wait_text} from './browser.mjs';
+import {
+  change_picture,
+  open_page,
+  read_picture,
+  screenshot,
+  text_of,
+  type_command,
+  wait_phase,
+  wait_picture,
+  wait_text
+} from './browser.mjs';
 import {Program} from './program.mjs';
 
-let program = null, page = null, kept = [];
+let program = null,
+  page = null,
+  kept = [];
 
 before(async () => {
   program = await Program.start('looking');
@@ -14,7 +26,10 @@ before(async () => {
   await type_command(page, 'until pressure 20');
   await program.wait_status((one) => one.phase === 'paused' && one.pressure_MPa > 19.9, '20 MPa');
   kept = (await program.get('/api/timeline?viewer=test')).kept;
-  await page.waitForFunction((count) => Number(document.getElementById('track').getAttribute('aria-valuemax')) >= count, kept.length);
+  await page.waitForFunction(
+    (count) => Number(document.getElementById('track').getAttribute('aria-valuemax')) >= count,
+    kept.length
+  );
   await page.click('#tab-inspect');
 });
 
@@ -39,7 +54,8 @@ async function drag(dx, dy, options = {}) {
 test('dragging turns the part with small pictures, one at a time, and ends with a full one', async () => {
   await wait_picture(page, 'a', (await program.status()).increment);
   const first = await read_picture(page);
-  let under_way = 0, most = 0;
+  let under_way = 0,
+    most = 0;
   const sizes = [];
   const is_frame = (request) => request.url().includes('/api/frame');
   page.on('request', (request) => {
@@ -47,21 +63,35 @@ test('dragging turns the part with small pictures, one at a time, and ends with 
     most = Math.max(most, ++under_way);
     sizes.push(Number(new URL(request.url()).searchParams.get('w')));
   });
-  for (const event of ['requestfinished', 'requestfailed']) page.on(event, (request) => { if (is_frame(request)) --under_way; });
+  for (const event of ['requestfinished', 'requestfailed'])
+    page.on(event, (request) => {
+      if (is_frame(request)) --under_way;
+    });
   await change_picture(page, () => drag(150, 40));
   const turned = await read_picture(page);
   assert.notEqual(turned.sum, first.sum, 'the picture did not change');
   assert.equal(most, 1, 'more than one picture was asked for at a time');
   assert.ok(Math.min(...sizes) <= 640 && sizes.at(-1) > 640, `widths asked for: ${sizes}`);
-  await change_picture(page, async () => { await page.keyboard.press('1'); await page.keyboard.press('f'); });
+  await change_picture(page, async () => {
+    await page.keyboard.press('1');
+    await page.keyboard.press('f');
+  });
   assert.equal((await read_picture(page)).sum, first.sum, 'back at the first direction the picture is another');
 });
 
 test('wheel, pan, cut, tools, mesh and mirror change the picture', async () => {
   const sums = new Set([(await read_picture(page)).sum]);
   const acts = {
-    wheel: async () => { const at = await middle(); await page.mouse.move(at.x + 80, at.y - 40); await page.mouse.wheel(0, -240); },
-    pan: async () => { await page.keyboard.down('Shift'); await drag(60, 30); await page.keyboard.up('Shift'); },
+    wheel: async () => {
+      const at = await middle();
+      await page.mouse.move(at.x + 80, at.y - 40);
+      await page.mouse.wheel(0, -240);
+    },
+    pan: async () => {
+      await page.keyboard.down('Shift');
+      await drag(60, 30);
+      await page.keyboard.up('Shift');
+    },
     cut: () => page.selectOption('#clip', 'z'),
     'place of the cut': () => page.locator('#slider-share').fill('0.25'),
     'other side': () => page.click('#toggle-flip'),
@@ -80,16 +110,24 @@ test('wheel, pan, cut, tools, mesh and mirror change the picture', async () => {
   await page.click('#toggle-edges');
   await page.click('#toggle-mirror');
   await page.locator('#slider-opacity').fill('0.35');
-  await change_picture(page, async () => { await page.keyboard.press('1'); await page.keyboard.press('f'); });
+  await change_picture(page, async () => {
+    await page.keyboard.press('1');
+    await page.keyboard.press('f');
+  });
 });
 
 test('a range of colours can be locked and mistyped', async () => {
   const view = page.locator('.viewport select.view').first();
   await change_picture(page, () => view.selectOption('thickness'));
-  const low = page.locator('.viewport .bound').first(), high = page.locator('.viewport .bound').nth(1);
+  const low = page.locator('.viewport .bound').first(),
+    high = page.locator('.viewport .bound').nth(1);
   await page.waitForFunction(() => document.querySelector('.viewport .bound').value !== '');
   const own = await read_picture(page);
-  await change_picture(page, async () => { await low.fill('0.5'); await high.fill('1.5'); await high.press('Enter'); });
+  await change_picture(page, async () => {
+    await low.fill('0.5');
+    await high.fill('1.5');
+    await high.press('Enter');
+  });
   assert.notEqual((await read_picture(page)).sum, own.sum);
   await high.fill('0.1');
   await high.press('Enter');
@@ -104,7 +142,10 @@ test('two views share the camera', async () => {
   await wait_picture(page, 'b');
   const before = [await read_picture(page, 'a'), await read_picture(page, 'b')];
   assert.notEqual(before[0].sum, before[1].sum);
-  const camera = (slot) => new URL(page.asked.filter((one) => one.includes('/api/frame') && one.includes(`slot=${slot}&`)).at(-1)).searchParams.get('az');
+  const camera = (slot) =>
+    new URL(
+      page.asked.filter((one) => one.includes('/api/frame') && one.includes(`slot=${slot}&`)).at(-1)
+    ).searchParams.get('az');
   await change_picture(page, () => change_picture(page, () => page.keyboard.press('2'), 'b'), 'a');
   assert.equal(camera('a'), '90');
   assert.equal(camera('b'), '90');
@@ -178,7 +219,10 @@ test('dark as the system is, and by the button', async (t) => {
   await change_picture(page, () => page.click('#theme'));
   assert.ok((await read_picture(page)).light < 0.6 * light.light, 'the picture is as light as before');
   const back = await page.evaluate(() => getComputedStyle(document.body).backgroundColor);
-  assert.ok(back.match(/\d+/g).every((one) => Number(one) < 60), back);
+  assert.ok(
+    back.match(/\d+/g).every((one) => Number(one) < 60),
+    back
+  );
   await page.waitForTimeout(500);
   await screenshot(page, '13-dark');
   await change_picture(page, () => page.click('#theme'));
@@ -200,7 +244,11 @@ test('everything by keys, and no way in without a way out', async (t) => {
   await change_picture(keys, () => press('ArrowRight'));
   assert.notEqual((await read_picture(keys)).sum, start.sum);
   await change_picture(keys, () => press('+'));
-  await change_picture(keys, async () => { await press('-'); await press('1'); await press('f'); });
+  await change_picture(keys, async () => {
+    await press('-');
+    await press('1');
+    await press('f');
+  });
   assert.equal((await read_picture(keys)).sum, start.sum);
   await press('/');
   await keys.keyboard.type('until pressure 6');
@@ -227,7 +275,8 @@ test('everything by keys, and no way in without a way out', async (t) => {
   await press('t');
   assert.equal(await keys.evaluate(() => document.documentElement.dataset.theme), 'dark');
   const visited = await walk_by_tab(keys);
-  for (const id of ['run', 'until', 'two', 'surface-a', 'track', 'splitter', 'tab-log', 'console']) assert.ok(visited.has(id), `Tab does not reach ${id}: ${[...visited]}`);
+  for (const id of ['run', 'until', 'two', 'surface-a', 'track', 'splitter', 'tab-log', 'console'])
+    assert.ok(visited.has(id), `Tab does not reach ${id}: ${[...visited]}`);
 });
 
 /// Ids that Tab comes by until it is where it began.

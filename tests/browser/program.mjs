@@ -4,7 +4,7 @@ import {spawn} from 'node:child_process';
 import fs from 'node:fs';
 import path from 'node:path';
 
-const kPatience = 60000;  // [ms]; a limit for what hangs, not a measure
+const kPatience = 60000; // [ms]; a limit for what hangs, not a measure
 
 export const options = {program: '', output: '', folder: path.dirname(new URL(import.meta.url).pathname)};
 
@@ -37,7 +37,9 @@ export class Program {
       this.#child.stdout.on('data', listen);
       this.#child.stderr.on('data', listen);
       this.#child.on('error', reject);
-      this.#ended.then((code) => reject(new Error(`the program ended (${code}) before it printed an address:\n${this.#lines}`)));
+      this.#ended.then((code) =>
+        reject(new Error(`the program ended (${code}) before it printed an address:\n${this.#lines}`))
+      );
       setTimeout(() => reject(new Error(`no address within a minute:\n${this.#lines}`)), kPatience).unref();
     });
     this.url = await found;
@@ -52,7 +54,9 @@ export class Program {
     return answer.json();
   }
 
-  status() { return this.get('/api/status?viewer=test'); }
+  status() {
+    return this.get('/api/status?viewer=test');
+  }
 
   /// Asks until `is_met(status)`.
   async wait_status(is_met, what) {
@@ -74,7 +78,9 @@ export class Program {
     return code;
   }
 
-  text() { return this.#lines; }
+  text() {
+    return this.#lines;
+  }
 
   /// Rows of a table of the result folder, as words by the names of their columns.
   table(file) {
@@ -85,6 +91,13 @@ export class Program {
 
   journal() {
     const file = path.join(this.results, 'journal.jsonl');
-    return fs.existsSync(file) ? fs.readFileSync(file, 'utf8').trim().split('\n').filter(Boolean).map((line) => JSON.parse(line)) : [];
+    return fs.existsSync(file)
+      ? fs
+          .readFileSync(file, 'utf8')
+          .trim()
+          .split('\n')
+          .filter(Boolean)
+          .map((line) => JSON.parse(line))
+      : [];
   }
 }

@@ -13,7 +13,9 @@ export function read_state(file) {
   const xml = bytes.subarray(0, start).toString('latin1');
   const arrays = {};
   for (const [, text] of xml.matchAll(/<DataArray ([^>]*)\/>/g)) {
-    const attribute = Object.fromEntries([...text.matchAll(/(\w+)="([^"]*)"/g)].map(([, name, value]) => [name, value]));
+    const attribute = Object.fromEntries(
+      [...text.matchAll(/(\w+)="([^"]*)"/g)].map(([, name, value]) => [name, value])
+    );
     if (attribute.format !== 'appended') continue;
     arrays[attribute.Name] = read_array(bytes, start + Number(attribute.offset), attribute);
   }
@@ -23,7 +25,8 @@ export function read_state(file) {
 function read_array(bytes, at, attribute) {
   const [size, reader] = kReaders[attribute.type] ?? [];
   if (!size) return null;
-  const count = Number(bytes.readBigUInt64LE(at)) / size, width = Number(attribute.NumberOfComponents ?? 1);
+  const count = Number(bytes.readBigUInt64LE(at)) / size,
+    width = Number(attribute.NumberOfComponents ?? 1);
   const values = Array.from({length: count}, (_, i) => bytes[reader](at + 8 + i * size));
   return width === 1 ? values : Array.from({length: count / width}, (_, i) => values.slice(i * width, (i + 1) * width));
 }

@@ -21,20 +21,30 @@ test('a run starts, halts at the first touch, and pauses', async (t) => {
   const page = await open_page(program);
   t.after(() => page.context().close());
   await run_until(page, 'touch');
-  const status = await program.wait_status((one) => one.phase === 'paused' && one.n_contact > 0, 'halt at the first touch');
+  const status = await program.wait_status(
+    (one) => one.phase === 'paused' && one.n_contact > 0,
+    'halt at the first touch'
+  );
   const touches = program.table('events.csv').filter((row) => row.kind === 'touch');
   assert.equal(status.increment, Number(touches[0].increment), 'it must halt in the increment of the first touch');
   await wait_text(page, '#readout-increment', new RegExp(`^${status.increment}`));
   await wait_picture(page, 'a', status.increment);
   await screenshot(page, '03-first-touch');
   await page.click('#step');
-  await program.wait_status((one) => one.increment === status.increment + 1 && one.phase === 'paused', 'one increment more');
+  await program.wait_status(
+    (one) => one.increment === status.increment + 1 && one.phase === 'paused',
+    'one increment more'
+  );
   await page.click('#run');
   await wait_phase(page, 'running');
   await page.click('#run');
   await wait_phase(page, 'paused');
-  const words = program.journal().map((line) => JSON.stringify(line)).join('\n');
-  for (const word of ['until touch', 'step', 'run', 'pause']) assert.ok(words.includes(word), `${word} is not in the journal:\n${words}`);
+  const words = program
+    .journal()
+    .map((line) => JSON.stringify(line))
+    .join('\n');
+  for (const word of ['until touch', 'step', 'run', 'pause'])
+    assert.ok(words.includes(word), `${word} is not in the journal:\n${words}`);
 });
 
 test('a bad value is refused beside its field, a good one is taken and journalled', async (t) => {
@@ -54,7 +64,10 @@ test('a bad value is refused beside its field, a good one is taken and journalle
   await row.locator('input').press('Enter');
   await row.locator('.note.good').waitFor();
   assert.equal(await row.locator('input').getAttribute('aria-invalid'), 'false');
-  const words = program.journal().map((line) => JSON.stringify(line)).join('\n');
+  const words = program
+    .journal()
+    .map((line) => JSON.stringify(line))
+    .join('\n');
   assert.ok(words.includes('set tool.die.friction 0.12'), words);
   assert.ok(!words.includes('slippery'), 'what was refused is not an act');
   assert.match(await type_command(page, 'untill touch'), /until/, 'the console names the nearest word');
@@ -68,9 +81,14 @@ test('back to a kept state and on from there: a branch', async (t) => {
   await run_until(page, 'pressure', 14);
   const first = await program.wait_status((one) => one.phase === 'paused' && one.pressure_MPa > 13.9, '14 MPa');
   const {kept} = await program.get('/api/timeline?viewer=test');
-  const goal = kept.filter((state) => state.can_restore && state.increment > 0 && state.increment < first.increment).at(-1);
+  const goal = kept
+    .filter((state) => state.can_restore && state.increment > 0 && state.increment < first.increment)
+    .at(-1);
   assert.ok(goal, 'no kept state to go back to');
-  await page.waitForFunction((count) => Number(document.getElementById('track').getAttribute('aria-valuemax')) >= count, kept.length);
+  await page.waitForFunction(
+    (count) => Number(document.getElementById('track').getAttribute('aria-valuemax')) >= count,
+    kept.length
+  );
   do await page.click('#before');
   while (!(await text_of(page, '#where')).startsWith(`increment ${goal.increment},`));
   await wait_picture(page, 'a', goal.increment);
@@ -80,7 +98,10 @@ test('back to a kept state and on from there: a branch', async (t) => {
   assert.equal(back.time_s, goal.time_s);
   await page.click('#step');
   await page.click('#step');
-  await program.wait_status((one) => one.branch === 1 && one.increment === goal.increment + 2, 'two increments of the branch');
+  await program.wait_status(
+    (one) => one.branch === 1 && one.increment === goal.increment + 2,
+    'two increments of the branch'
+  );
   await run_until(page, 'pressure', 15);
   await program.wait_status((one) => one.branch === 1 && one.phase === 'paused' && one.pressure_MPa > 14.9, '15 MPa');
   const branches = new Set((await program.get('/api/timeline?viewer=test')).kept.map((state) => state.branch));
@@ -93,7 +114,8 @@ test('back to a kept state and on from there: a branch', async (t) => {
 test('of two viewers one steers, until the other takes the wheel', async (t) => {
   const program = await Program.start('viewers');
   t.after(() => program.stop());
-  const first = await open_page(program), second = await open_page(program, {width: 1200, height: 700});
+  const first = await open_page(program),
+    second = await open_page(program, {width: 1200, height: 700});
   t.after(() => Promise.all([first.context().close(), second.context().close()]));
   await wait_text(second, '#wheel', /Another viewer steers/);
   assert.ok(await second.locator('#run').isDisabled());
@@ -111,7 +133,7 @@ test('of two viewers one steers, until the other takes the wheel', async (t) => 
   assert.equal((await program.status()).increment, 1);
   await second.reload();
   await wait_picture(second, 'a', 1);
-  await wait_text(second, '#wheel', /You steer/);  // the same tab is the same viewer
+  await wait_text(second, '#wheel', /You steer/); // the same tab is the same viewer
 });
 
 test('warnings come as notices and stay in their list', async (t) => {
@@ -128,7 +150,11 @@ test('warnings come as notices and stay in their list', async (t) => {
   await page.click('#tab-warnings');
   const shown = await page.locator('#warning-list li').allInnerTexts();
   assert.equal(shown.length, warnings.length);
-  for (const warning of warnings) assert.ok(shown.some((text) => text.includes(warning.text)), warning.text);
+  for (const warning of warnings)
+    assert.ok(
+      shown.some((text) => text.includes(warning.text)),
+      warning.text
+    );
   await wait_picture(page);
   await screenshot(page, '09-warning');
 });
@@ -144,7 +170,10 @@ test('the browser closes in mid-run, the run goes on and loses nothing', async (
   const ended = await program.wait_status((one) => one.phase === 'ended', 'the end of the path');
   assert.ok(seen.increment < ended.increment);
   const rows = program.table('history.csv').map((row) => Number(row.increment));
-  assert.deepEqual(rows, Array.from({length: ended.increment}, (_, i) => i + 1));
+  assert.deepEqual(
+    rows,
+    Array.from({length: ended.increment}, (_, i) => i + 1)
+  );
   const again = await open_page(program);
   t.after(() => again.context().close());
   await wait_text(again, '#phase', /Ended: completed/);

@@ -24,7 +24,9 @@ export class ApiError extends Error {
 
 /// Told of each answer's status (0: none), so that one place watches over the connection.
 let watcher = () => {};
-export function watch_answers(listener) { watcher = listener; }
+export function watch_answers(listener) {
+  watcher = listener;
+}
 
 export function url(path, params = {}) {
   const query = new URLSearchParams({viewer});
@@ -78,8 +80,12 @@ export async function get_frame(params, signal) {
   const range = (answer.headers.get('X-Range') || '').split(',').map(Number);
   const bitmap = await createImageBitmap(await answer.blob());
   return {
-    bitmap, branch: number('X-Branch'), increment: number('X-Increment'), time: number('X-Time'),
-    pressure: number('X-Pressure'), draw_ms: number('X-Draw-Ms'),
+    bitmap,
+    branch: number('X-Branch'),
+    increment: number('X-Increment'),
+    time: number('X-Time'),
+    pressure: number('X-Pressure'),
+    draw_ms: number('X-Draw-Ms'),
     range: range.length === 2 && range.every(Number.isFinite) && range[0] < range[1] ? range : null
   };
 }

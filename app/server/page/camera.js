@@ -3,7 +3,8 @@
 // y is up; azimuth 0 looks from +x, 90 from +z. Nothing here touches the page.
 
 export const kHome = Object.freeze({az: 35, el: 25, zoom: 1, px: 0, py: 0, focus: null});
-const kLeastZoom = 0.1, kMostZoom = 200;
+const kLeastZoom = 0.1,
+  kMostZoom = 200;
 
 /// Name, key and direction of the standard views.
 export const kStandardViews = [
@@ -25,8 +26,11 @@ export function orbit(camera, right_px, down_px) {
 }
 
 export function pan(camera, right_px, down_px, height_px) {
-  return {...camera, px: camera.px - right_px / height_px / camera.zoom,
-          py: camera.py + down_px / height_px / camera.zoom};
+  return {
+    ...camera,
+    px: camera.px - right_px / height_px / camera.zoom,
+    py: camera.py + down_px / height_px / camera.zoom
+  };
 }
 
 /// `u`, `v`: what stays in place, from the middle, right and up [heights of the picture].
@@ -48,19 +52,30 @@ export function fly_to(camera, place, size, extent) {
 
 /// Looks from `outward` unless what faces there is seen well enough already (within 65 degrees).
 export function turn_towards(camera, outward) {
-  const size = Math.hypot(...outward), [a, e] = [camera.az, camera.el].map((degrees) => (degrees * Math.PI) / 180);
+  const size = Math.hypot(...outward),
+    [a, e] = [camera.az, camera.el].map((degrees) => (degrees * Math.PI) / 180);
   const direction = [Math.cos(a) * Math.cos(e), Math.sin(e), Math.sin(a) * Math.cos(e)];
   const cosine = outward.reduce((sum, value, i) => sum + value * direction[i], 0) / size;
   if (!(size > 0) || cosine > 0.42) return camera;
-  const tilted = outward.map((value, i) => value / size + [0.25, 0.35, 0.45][i]), length = Math.hypot(...tilted);
+  const tilted = outward.map((value, i) => value / size + [0.25, 0.35, 0.45][i]),
+    length = Math.hypot(...tilted);
   const degrees = (radians) => (radians * 180) / Math.PI;
-  return {...camera, az: wrap(degrees(Math.atan2(tilted[2], tilted[0]))), el: clamp(degrees(Math.asin(tilted[1] / length)), -90, 90)};
+  return {
+    ...camera,
+    az: wrap(degrees(Math.atan2(tilted[2], tilted[0]))),
+    el: clamp(degrees(Math.asin(tilted[1] / length)), -90, 90)
+  };
 }
 
 export function camera_params(camera) {
   const round = (value, digits) => Number(value.toFixed(digits));
-  const params = {az: round(camera.az, 3), el: round(camera.el, 3), zoom: Number(camera.zoom.toPrecision(6)),
-                  px: round(camera.px, 6), py: round(camera.py, 6)};
+  const params = {
+    az: round(camera.az, 3),
+    el: round(camera.el, 3),
+    zoom: Number(camera.zoom.toPrecision(6)),
+    px: round(camera.px, 6),
+    py: round(camera.py, 6)
+  };
   if (camera.focus) [params.fx, params.fy, params.fz] = camera.focus;
   return params;
 }

@@ -3,10 +3,13 @@
 import {get, url, watch_answers} from './api.js';
 import {store} from './store.js';
 
-const kWaits = [500, 1000, 2000, 3000, 5000];  // [ms] before each new attempt
-const kSilence = 15000;                        // [ms] after which the program is asked whether it is there
+const kWaits = [500, 1000, 2000, 3000, 5000]; // [ms] before each new attempt
+const kSilence = 15000; // [ms] after which the program is asked whether it is there
 
-let source = null, attempt = 0, timer = null, last_sign = 0;
+let source = null,
+  attempt = 0,
+  timer = null,
+  last_sign = 0;
 const handlers = {warning: () => {}, contact: () => {}, recovered: () => {}};
 
 /// handlers: warning(data), contact(data), recovered() after a loss.
@@ -22,7 +25,9 @@ export function retry_now() {
   probe();
 }
 
-export function next_attempt() { return attempt; }
+export function next_attempt() {
+  return attempt;
+}
 
 function hear_answer(status) {
   if (status === 401) refuse();
@@ -35,12 +40,20 @@ function open_stream() {
   source = new EventSource(url('/api/events'));
   source.addEventListener('open', on_open);
   source.addEventListener('error', lose);
-  source.addEventListener('status', (event) => { on_sign(); store.set('status', JSON.parse(event.data)); });
+  source.addEventListener('status', (event) => {
+    on_sign();
+    store.set('status', JSON.parse(event.data));
+  });
   for (const name of ['warning', 'contact'])
-    source.addEventListener(name, (event) => { on_sign(); handlers[name](JSON.parse(event.data)); });
+    source.addEventListener(name, (event) => {
+      on_sign();
+      handlers[name](JSON.parse(event.data));
+    });
 }
 
-function on_sign() { last_sign = Date.now(); }
+function on_sign() {
+  last_sign = Date.now();
+}
 
 function on_open() {
   on_sign();

@@ -4,13 +4,17 @@ import {get} from './api.js';
 import {load_origins} from './scene_values.js';
 import {store} from './store.js';
 
-const kPace = 700;  // [ms] between two questions for the same table
+const kPace = 700; // [ms] between two questions for the same table
 
 /// Runs `task` when called, but never twice at once and no more often than the pace allows.
 function pace(task) {
-  let is_busy = false, is_due = false;
+  let is_busy = false,
+    is_due = false;
   const run = async () => {
-    if (is_busy) { is_due = true; return; }
+    if (is_busy) {
+      is_due = true;
+      return;
+    }
     is_busy = true;
     is_due = false;
     try {
@@ -18,7 +22,10 @@ function pace(task) {
     } catch {
       // Shown by the banner; asked for again at the next change.
     }
-    setTimeout(() => { is_busy = false; if (is_due) run(); }, kPace);
+    setTimeout(() => {
+      is_busy = false;
+      if (is_due) run();
+    }, kPace);
   };
   return run;
 }
@@ -31,17 +38,19 @@ const load_timeline = pace(async () => {
 
 let rows_of = null;
 const load_history = pace(async () => {
-  const branch = store.get('status')?.branch, old = rows_of === branch ? store.get('rows') : [];
+  const branch = store.get('status')?.branch,
+    old = rows_of === branch ? store.get('rows') : [];
   const from = old.length ? old.at(-1).increment + 1 : 0;
   const fresh = (await get('/api/history', {from})).rows;
   rows_of = branch;
-  if (fresh.length || !old.length) store.set('rows', [...old, ...fresh.filter((row) => !old.length || row.increment > old.at(-1).increment)]);
+  if (fresh.length || !old.length)
+    store.set('rows', [...old, ...fresh.filter((row) => !old.length || row.increment > old.at(-1).increment)]);
 });
 
 const load_warnings = pace(async () => store.set('warnings', (await get('/api/warnings')).warnings));
 
 export async function load_all() {
-  store.set('model', await get('/api/model'));  // the status comes by itself with the event stream
+  store.set('model', await get('/api/model')); // the status comes by itself with the event stream
   rows_of = null;
   load_timeline();
   load_history();

@@ -28,11 +28,21 @@ export function download_picture(viewport) {
 
 /// The program draws it between live pictures; progress is shown until it can be fetched.
 export async function download_film(viewport) {
-  const bar = el('progress', {'aria-label': 'Film'}), line = el('p', {role: 'status'}, 'Drawing kept states…');
+  const bar = el('progress', {'aria-label': 'Film'}),
+    line = el('p', {role: 'status'}, 'Drawing kept states…');
   const dialog = el('dialog', {class: 'ask', 'aria-label': 'Film'}, el('h2', {}, 'Film of the kept states'), line, bar);
   const stopper = new AbortController();
-  dialog.append(el('div', {class: 'row end'}, button({text: 'Cancel', title: 'Do not make it'}, () => dialog.close())));
-  dialog.addEventListener('close', () => { stopper.abort(); dialog.remove(); });
+  dialog.append(
+    el(
+      'div',
+      {class: 'row end'},
+      button({text: 'Cancel', title: 'Do not make it'}, () => dialog.close())
+    )
+  );
+  dialog.addEventListener('close', () => {
+    stopper.abort();
+    dialog.remove();
+  });
   document.body.append(dialog);
   dialog.showModal();
   const {slot, state, ...params} = full_size(viewport, 960);
@@ -52,7 +62,10 @@ async function wait_for_film(address, signal, bar, line) {
   while (store.get('connection') === 'open') {
     const answer = await fetch(address, {signal, cache: 'no-store'});
     if (answer.status !== 202) {
-      if (answer.ok) { await answer.body?.cancel(); return true; }
+      if (answer.ok) {
+        await answer.body?.cancel();
+        return true;
+      }
       throw new Error((await answer.json().catch(() => ({}))).error ?? `the program answered ${answer.status}`);
     }
     const {done, of} = await answer.json();

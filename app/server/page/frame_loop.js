@@ -2,14 +2,14 @@
 // One picture slot: at most one request under way, the newest wish wins. Small pictures while something moves,
 // full ones at rest, and new ones as the solver goes on.
 
-const kRest = 160;  // [ms] without movement until a full picture is asked for
+const kRest = 160; // [ms] without movement until a full picture is asked for
 const kRetry = 700;
 
 export class FrameLoop {
-  #flight = null;       // {controller, kind}
-  #is_dirty = true;     // what is wished differs from what was last asked for
+  #flight = null; // {controller, kind}
+  #is_dirty = true; // what is wished differs from what was last asked for
   #moved_at = -Infinity;
-  #drawn = null;        // {kind, branch, increment}
+  #drawn = null; // {kind, branch, increment}
   #timer = null;
 
   /// fetch(kind, after, signal) -> frame or null; kind: drag | live | rest. draw(frame, kind). fail(error).
@@ -34,7 +34,9 @@ export class FrameLoop {
     if (kind) this.#start(kind);
   }
 
-  #is_moving() { return performance.now() - this.#moved_at < kRest; }
+  #is_moving() {
+    return performance.now() - this.#moved_at < kRest;
+  }
 
   #choose() {
     if (this.#is_moving()) {
@@ -56,8 +58,11 @@ export class FrameLoop {
   async #start(kind) {
     const live = this.live();
     // Only then does the program pace itself for those who merely watch.
-    const is_watching = kind === 'live' && !this.#is_dirty && this.#drawn?.branch === live?.branch &&
-                        live.increment > this.#drawn.increment;
+    const is_watching =
+      kind === 'live' &&
+      !this.#is_dirty &&
+      this.#drawn?.branch === live?.branch &&
+      live.increment > this.#drawn.increment;
     const flight = {controller: new AbortController(), kind};
     this.#flight = flight;
     this.#is_dirty = false;
@@ -76,7 +81,8 @@ export class FrameLoop {
       if (error.name !== 'AbortError') {
         this.fail(error);
         wait = error.status === 400 ? null : kRetry;
-        if (wait === null) this.#is_dirty = false, this.#drawn = {kind: 'rest', branch: live?.branch, increment: live?.increment};
+        if (wait === null)
+          ((this.#is_dirty = false), (this.#drawn = {kind: 'rest', branch: live?.branch, increment: live?.increment}));
       }
     }
     this.#flight = null;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Mouse, pen, fingers and wheel over a picture, told as what they mean.
 
-const kClick = 4;  // [px] that a hand may tremble
+const kClick = 4; // [px] that a hand may tremble
 
 /// to: {orbit(dx, dy), pan(dx, dy), zoom(factor, x, y), click(x, y), box(x0, y0, x1, y1, is_done), start(), home()}
 export function attach_gestures(surface, to) {
@@ -23,7 +23,10 @@ export function attach_gestures(surface, to) {
     surface.setPointerCapture(event.pointerId);
     const at = place(event);
     fingers.set(event.pointerId, at);
-    drag = fingers.size === 2 ? {mode: 'pinch', ...measure(fingers)} : {mode: find_mode(event), from: at, last: at, has_moved: false};
+    drag =
+      fingers.size === 2
+        ? {mode: 'pinch', ...measure(fingers)}
+        : {mode: find_mode(event), from: at, last: at, has_moved: false};
     to.start();
   });
 
@@ -34,7 +37,8 @@ export function attach_gestures(surface, to) {
     if (drag.mode === 'pinch') return pinch();
     if (Math.hypot(at.x - drag.from.x, at.y - drag.from.y) > kClick) drag.has_moved = true;
     if (!drag.has_moved) return;
-    const dx = at.x - drag.last.x, dy = at.y - drag.last.y;
+    const dx = at.x - drag.last.x,
+      dy = at.y - drag.last.y;
     drag.last = at;
     if (drag.mode === 'box') to.box(drag.from.x, drag.from.y, at.x, at.y, false);
     else if (drag.mode === 'pan') to.pan(dx, dy);
@@ -62,18 +66,24 @@ export function attach_gestures(surface, to) {
   }
   surface.addEventListener('pointerup', end);
   surface.addEventListener('pointercancel', end);
-  surface.addEventListener('mousedown', (event) => { if (event.button === 1) event.preventDefault(); });  // no autoscroll
+  surface.addEventListener('mousedown', (event) => {
+    if (event.button === 1) event.preventDefault();
+  }); // no autoscroll
   surface.addEventListener('contextmenu', (event) => event.preventDefault());
   surface.addEventListener('dblclick', () => to.home());
 
-  surface.addEventListener('wheel', (event) => {
-    event.preventDefault();
-    const lines = event.deltaMode === 1 ? 16 : event.deltaMode === 2 ? 400 : 1;
-    // A pinch on a trackpad comes as a wheel with ctrl and small steps.
-    const speed = event.ctrlKey ? 0.01 : 0.0015;
-    const at = place(event);
-    to.zoom(Math.exp(-event.deltaY * lines * speed), at.x, at.y);
-  }, {passive: false});
+  surface.addEventListener(
+    'wheel',
+    (event) => {
+      event.preventDefault();
+      const lines = event.deltaMode === 1 ? 16 : event.deltaMode === 2 ? 400 : 1;
+      // A pinch on a trackpad comes as a wheel with ctrl and small steps.
+      const speed = event.ctrlKey ? 0.01 : 0.0015;
+      const at = place(event);
+      to.zoom(Math.exp(-event.deltaY * lines * speed), at.x, at.y);
+    },
+    {passive: false}
+  );
 }
 
 function measure(fingers) {

@@ -7,7 +7,7 @@ import {fit, set_direction} from './toolbar.js';
 import {toggle_theme} from './theme.js';
 import {step, toggle_run} from './topbar.js';
 
-const kTurn = 12;    // [px] of mouse way that an arrow key is worth
+const kTurn = 12; // [px] of mouse way that an arrow key is worth
 const kMove = 24;
 
 const change = (make) => store.set('camera', make(store.get('camera')));
@@ -16,15 +16,32 @@ const change = (make) => store.set('camera', make(store.get('camera')));
 export function start_keyboard(actions) {
   const arrows = {ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1]};
   const keys = {
-    ' ': toggle_run, s: step, u: () => document.getElementById('until').click(), f: fit, l: actions.live, t: toggle_theme,
-    '[': () => actions.go(-1), ']': () => actions.go(1), '?': show_help, '/': actions.console, Escape: () => store.set('selection', null),
-    '+': () => change((camera) => zoom_at(camera, 1.15)), '=': () => change((camera) => zoom_at(camera, 1.15)),
+    ' ': toggle_run,
+    s: step,
+    u: () => document.getElementById('until').click(),
+    f: fit,
+    l: actions.live,
+    t: toggle_theme,
+    '[': () => actions.go(-1),
+    ']': () => actions.go(1),
+    '?': show_help,
+    '/': actions.console,
+    Escape: () => store.set('selection', null),
+    '+': () => change((camera) => zoom_at(camera, 1.15)),
+    '=': () => change((camera) => zoom_at(camera, 1.15)),
     '-': () => change((camera) => zoom_at(camera, 1 / 1.15))
   };
   for (const view of kStandardViews) keys[view.key] = () => set_direction(view);
 
   document.addEventListener('keydown', (event) => {
-    if (event.defaultPrevented || event.ctrlKey || event.metaKey || event.altKey || document.querySelector('dialog[open]')) return;
+    if (
+      event.defaultPrevented ||
+      event.ctrlKey ||
+      event.metaKey ||
+      event.altKey ||
+      document.querySelector('dialog[open]')
+    )
+      return;
     const target = event.target;
     if (target.matches('input:not([type=range]), select, textarea')) return;
     const is_control = target.closest('button, a, input, summary, [role=tab], [data-keys]');

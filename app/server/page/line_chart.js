@@ -4,21 +4,35 @@ import {el, set_text} from './dom.js';
 import {format, tick_text, ticks} from './numbers.js';
 import {colour} from './theme.js';
 
-const kLeft = 52, kRight = 10, kTop = 8, kBottom = 20;
+const kLeft = 52,
+  kRight = 10,
+  kTop = 8,
+  kBottom = 20;
 
 export class LineChart {
   #series = [];
-  #cursor = null;  // index into the x of the first series
+  #cursor = null; // index into the x of the first series
   #marked = null;
 
   /// title with unit; x_title; is_log; height [px]; pick(x) on click.
   constructor({title, x_title = 'time [s]', is_log = false, height = 120, pick = null, is_step = false}) {
     Object.assign(this, {title, x_title, is_log, pick, is_step});
-    this.canvas = el('canvas', {class: 'chart-canvas', tabindex: '0', role: 'img', 'data-keys': true, 'aria-label': title});
+    this.canvas = el('canvas', {
+      class: 'chart-canvas',
+      tabindex: '0',
+      role: 'img',
+      'data-keys': true,
+      'aria-label': title
+    });
     this.canvas.style.height = `${height}px`;
     this.readout = el('output', {class: 'value'});
     this.legend = el('span', {class: 'legend'});
-    this.root = el('figure', {class: 'chart'}, el('figcaption', {}, el('span', {}, title), this.legend, this.readout), this.canvas);
+    this.root = el(
+      'figure',
+      {class: 'chart'},
+      el('figcaption', {}, el('span', {}, title), this.legend, this.readout),
+      this.canvas
+    );
     this.canvas.addEventListener('pointermove', (event) => this.#hover(event));
     this.canvas.addEventListener('pointerleave', () => this.#set_cursor(null));
     this.canvas.addEventListener('blur', () => this.#set_cursor(null));
@@ -31,32 +45,50 @@ export class LineChart {
   show(series, marked = null) {
     this.#series = series;
     this.#marked = marked;
-    this.legend.replaceChildren(...(series.length > 1 ? series.map((one) => {
-      const swatch = el('i', {class: 'swatch'});
-      swatch.style.background = colour(one.colour);
-      return el('span', {}, swatch, one.name);
-    }) : []));
+    this.legend.replaceChildren(
+      ...(series.length > 1
+        ? series.map((one) => {
+            const swatch = el('i', {class: 'swatch'});
+            swatch.style.background = colour(one.colour);
+            return el('span', {}, swatch, one.name);
+          })
+        : [])
+    );
     this.draw();
   }
 
   #scale() {
-    const width = this.canvas.clientWidth, height = this.canvas.clientHeight;
+    const width = this.canvas.clientWidth,
+      height = this.canvas.clientHeight;
     const xs = this.#series.flatMap((one) => one.x).filter(Number.isFinite);
     const ys = this.#series.flatMap((one) => one.y).filter((y) => Number.isFinite(y) && (!this.is_log || y > 0));
     if (!xs.length || !ys.length) return null;
-    let [x0, x1] = [least(xs), -least(xs.map((x) => -x))], [y0, y1] = [least(ys), -least(ys.map((y) => -y))];
+    let [x0, x1] = [least(xs), -least(xs.map((x) => -x))],
+      [y0, y1] = [least(ys), -least(ys.map((y) => -y))];
     if (x0 === x1) x1 = x0 + 1;
     if (this.is_log) {
       [y0, y1] = [Math.floor(Math.log10(y0)), Math.ceil(Math.log10(y1))];
       if (y0 === y1) y1 += 1;
     } else {
-      if (y1 - y0 < 1e-9 * Math.max(Math.abs(y0), Math.abs(y1), 1e-12)) [y0, y1] = y0 === 0 ? [0, 1] : [y0 - 0.01 * Math.abs(y0), y0 + 0.01 * Math.abs(y0)];
-      const marks = ticks(y0, y1, 4), step = marks.length > 1 ? marks[1] - marks[0] : y1 - y0;
+      if (y1 - y0 < 1e-9 * Math.max(Math.abs(y0), Math.abs(y1), 1e-12))
+        [y0, y1] = y0 === 0 ? [0, 1] : [y0 - 0.01 * Math.abs(y0), y0 + 0.01 * Math.abs(y0)];
+      const marks = ticks(y0, y1, 4),
+        step = marks.length > 1 ? marks[1] - marks[0] : y1 - y0;
       [y0, y1] = [step * Math.floor(y0 / step + 1e-9), step * Math.ceil(y1 / step - 1e-9)];
     }
-    const inner = Math.max(10, width - kLeft - kRight), tall = Math.max(10, height - kTop - kBottom);
-    return {width, height, x0, x1, y0, y1, to_x: (x) => kLeft + (inner * (x - x0)) / (x1 - x0), from_x: (px) => x0 + ((px - kLeft) / inner) * (x1 - x0),
-            to_y: (y) => kTop + tall * (1 - ((this.is_log ? Math.log10(y) : y) - y0) / (y1 - y0))};
+    const inner = Math.max(10, width - kLeft - kRight),
+      tall = Math.max(10, height - kTop - kBottom);
+    return {
+      width,
+      height,
+      x0,
+      x1,
+      y0,
+      y1,
+      to_x: (x) => kLeft + (inner * (x - x0)) / (x1 - x0),
+      from_x: (px) => x0 + ((px - kLeft) / inner) * (x1 - x0),
+      to_y: (y) => kTop + tall * (1 - ((this.is_log ? Math.log10(y) : y) - y0) / (y1 - y0))
+    };
   }
 
   draw() {
@@ -71,7 +103,8 @@ export class LineChart {
     this.#draw_axes(context, scale);
     if (this.#marked !== null) draw_upright(context, scale.to_x(this.#marked), scale, colour('accent'), []);
     for (const one of this.#series) this.#draw_line(context, scale, one);
-    if (this.#cursor !== null) draw_upright(context, scale.to_x(this.#series[0].x[this.#cursor]), scale, colour('faint'), [3, 3]);
+    if (this.#cursor !== null)
+      draw_upright(context, scale.to_x(this.#series[0].x[this.#cursor]), scale, colour('faint'), [3, 3]);
   }
 
   #draw_axes(context, scale) {
@@ -84,7 +117,11 @@ export class LineChart {
     for (const mark of y_marks) {
       const y = Math.round(scale.to_y(mark)) + 0.5;
       line(context, kLeft, y, scale.width - kRight, y);
-      context.fillText(this.is_log ? power_text(mark) : tick_text(mark, y_marks.length > 1 ? y_marks[1] - y_marks[0] : mark || 1), kLeft - 5, y);
+      context.fillText(
+        this.is_log ? power_text(mark) : tick_text(mark, y_marks.length > 1 ? y_marks[1] - y_marks[0] : mark || 1),
+        kLeft - 5,
+        y
+      );
     }
     const x_marks = ticks(scale.x0, scale.x1, Math.max(2, Math.floor((scale.width - kLeft) / 55)));
     context.textBaseline = 'top';
@@ -93,7 +130,8 @@ export class LineChart {
     for (const mark of x_marks) {
       const x = Math.round(scale.to_x(mark)) + 0.5;
       line(context, x, bottom, x, bottom + 4);
-      if (x < scale.width - 66) context.fillText(tick_text(mark, x_marks.length > 1 ? x_marks[1] - x_marks[0] : mark || 1), x, bottom + 6);
+      if (x < scale.width - 66)
+        context.fillText(tick_text(mark, x_marks.length > 1 ? x_marks[1] - x_marks[0] : mark || 1), x, bottom + 6);
     }
     context.textAlign = 'right';
     context.fillText(this.x_title, scale.width - 2, bottom + 6);
@@ -105,11 +143,16 @@ export class LineChart {
     context.lineWidth = 1.6;
     context.lineJoin = 'round';
     context.beginPath();
-    let is_down = false, last_y = 0;
+    let is_down = false,
+      last_y = 0;
     for (let i = 0; i < one.x.length; ++i) {
       const value = one.y[i];
-      if (!Number.isFinite(value) || value === null || (this.is_log && !(value > 0))) { is_down = false; continue; }
-      const x = scale.to_x(one.x[i]), y = scale.to_y(value);
+      if (!Number.isFinite(value) || value === null || (this.is_log && !(value > 0))) {
+        is_down = false;
+        continue;
+      }
+      const x = scale.to_x(one.x[i]),
+        y = scale.to_y(value);
       if (is_down && this.is_step) context.lineTo(x, last_y);
       if (is_down) context.lineTo(x, y);
       else context.moveTo(x, y);
@@ -119,7 +162,8 @@ export class LineChart {
     context.stroke();
     if (one.x.length > 60) return;
     for (let i = 0; i < one.x.length; ++i)
-      if (Number.isFinite(one.y[i]) && one.y[i] !== null && (!this.is_log || one.y[i] > 0)) dot(context, scale.to_x(one.x[i]), scale.to_y(one.y[i]), 2);
+      if (Number.isFinite(one.y[i]) && one.y[i] !== null && (!this.is_log || one.y[i] > 0))
+        dot(context, scale.to_x(one.x[i]), scale.to_y(one.y[i]), 2);
   }
 
   #hover(event) {
@@ -132,13 +176,19 @@ export class LineChart {
   #set_cursor(index) {
     if (this.#cursor === index) return;
     this.#cursor = index;
-    const at = index === null ? '' : this.#series.map((one) => `${this.#series.length > 1 ? `${one.name} ` : ''}${format(one.y[index])}`).join('  ');
+    const at =
+      index === null
+        ? ''
+        : this.#series
+            .map((one) => `${this.#series.length > 1 ? `${one.name} ` : ''}${format(one.y[index])}`)
+            .join('  ');
     set_text(this.readout, index === null ? '' : `${format(this.#series[0].x[index])}: ${at}`);
     this.draw();
   }
 
   #key(event) {
-    const step = {ArrowLeft: -1, ArrowRight: 1}[event.key], xs = this.#series[0]?.x ?? [];
+    const step = {ArrowLeft: -1, ArrowRight: 1}[event.key],
+      xs = this.#series[0]?.x ?? [];
     if (event.key === 'Enter') return this.#choose();
     if (!step || !xs.length) return;
     event.preventDefault();
@@ -146,12 +196,16 @@ export class LineChart {
     this.#set_cursor(Math.min(xs.length - 1, Math.max(0, from + step)));
   }
 
-  #choose() { if (this.pick && this.#cursor !== null) this.pick(this.#series[0].x[this.#cursor]); }
+  #choose() {
+    if (this.pick && this.#cursor !== null) this.pick(this.#series[0].x[this.#cursor]);
+  }
 }
 
 /// A canvas in device pixels, cleared, drawn on in page pixels; null while it has no size.
 export function start_canvas(canvas) {
-  const dpr = window.devicePixelRatio || 1, width = canvas.clientWidth, height = canvas.clientHeight;
+  const dpr = window.devicePixelRatio || 1,
+    width = canvas.clientWidth,
+    height = canvas.clientHeight;
   if (!width || !height) return null;
   if (canvas.width !== Math.round(width * dpr) || canvas.height !== Math.round(height * dpr)) {
     canvas.width = Math.round(width * dpr);
@@ -192,10 +246,13 @@ function draw_upright(context, x, scale, stroke, dash) {
   context.setLineDash([]);
 }
 
-function least(values) { return values.reduce((a, b) => Math.min(a, b), Infinity); }
+function least(values) {
+  return values.reduce((a, b) => Math.min(a, b), Infinity);
+}
 
 function log_marks(low, high) {
-  const every = Math.max(1, Math.ceil((high - low) / 4)), marks = [];
+  const every = Math.max(1, Math.ceil((high - low) / 4)),
+    marks = [];
   for (let k = low; k <= high; k += every) marks.push(10 ** k);
   return marks;
 }

@@ -11,6 +11,7 @@ import {build_ledger} from './ledger.js';
 import {build_charts} from './live_charts.js';
 import {build_log, focus_console} from './log.js';
 import {build_notice} from './notice.js';
+import {pick_point} from './picking.js';
 import {attach_splitter, build_side} from './side.js';
 import {store} from './store.js';
 import {start_theme} from './theme.js';
@@ -42,7 +43,15 @@ function fly(place, size, tool_normal) {
   const [low, high] = store.get('model').box;
   const extent = Math.hypot(...high.map((value, i) => value - low[i]));
   const camera = fly_to(store.get('camera'), place, size, extent);
-  store.set('camera', tool_normal ? turn_towards(camera, tool_normal.map((value) => -value)) : camera);
+  store.set(
+    'camera',
+    tool_normal
+      ? turn_towards(
+          camera,
+          tool_normal.map((value) => -value)
+        )
+      : camera
+  );
 }
 
 build_notice(find('notice'));
@@ -60,10 +69,12 @@ build_change(panels.change);
 build_log(panels.log);
 
 start_keyboard({
-  go, live: go_live, console: focus_console,
+  go,
+  live: go_live,
+  console: focus_console,
   pick_middle: () => {
     const viewport = viewports[store.get('active')];
-    viewport.pick(viewport.surface.clientWidth / 2, viewport.surface.clientHeight / 2);
+    pick_point(viewport, viewport.surface.clientWidth / 2, viewport.surface.clientHeight / 2);
   }
 });
 

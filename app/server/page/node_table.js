@@ -7,19 +7,40 @@ import {sort_table} from './sort_table.js';
 import {state_name, store} from './store.js';
 
 const kMost = 60;
-const kColumns = [['node', 'Node'], ['contact', 'Contact'], ['thickness_mm', 't mm'], ['plastic_strain', 'Strain'], ['contact_pressure_MPa', 'p MPa'], ['gap_mm', 'Gap mm']];
+const kColumns = [
+  ['node', 'Node'],
+  ['contact', 'Contact'],
+  ['thickness_mm', 't mm'],
+  ['plastic_strain', 'Strain'],
+  ['contact_pressure_MPa', 'p MPa'],
+  ['gap_mm', 'Gap mm']
+];
 
 export function make_node_table(nodes) {
   const shown = nodes.slice(0, kMost).map((node) => (typeof node === 'object' ? node : {node}));
   const holder = el('div', {});
-  const draw = () => holder.replaceChildren(sort_table({
-    id: 'many-nodes', columns: kColumns.map(([key, caption]) => ({key, caption, format: (value) => (typeof value === 'string' ? value : key === 'node' ? String(value) : format(value, 3))})),
-    rows: shown, choose: (row) => store.set('selection', {node: row.node})
-  }));
+  const draw = () =>
+    holder.replaceChildren(
+      sort_table({
+        id: 'many-nodes',
+        columns: kColumns.map(([key, caption]) => ({
+          key,
+          caption,
+          format: (value) => (typeof value === 'string' ? value : key === 'node' ? String(value) : format(value, 3))
+        })),
+        rows: shown,
+        choose: (row) => store.set('selection', {node: row.node})
+      })
+    );
   draw();
   if (nodes.length > kMost) holder.after(el('p', {class: 'faint'}, `the first ${kMost} of ${nodes.length}`));
   fill(shown, state_name(), holder).then(draw);
-  return el('div', {}, holder, nodes.length > kMost ? el('p', {class: 'faint'}, `The first ${kMost} of ${nodes.length} nodes.`) : null);
+  return el(
+    'div',
+    {},
+    holder,
+    nodes.length > kMost ? el('p', {class: 'faint'}, `The first ${kMost} of ${nodes.length} nodes.`) : null
+  );
 }
 
 /// Two requests at a time: pictures and commands have the right of way.

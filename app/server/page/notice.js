@@ -9,11 +9,30 @@ export function build_notice(root) {
     root.hidden = connection !== 'lost' && connection !== 'refused';
     root.className = connection;
     root.setAttribute('role', 'alert');
-    if (connection === 'lost') replace(root, el('span', {}, 'The connection to the program is lost; trying again. The run itself does not need this page.'),
-                                       button({text: 'Try now', title: 'Try to connect now', kind: 'small'}, retry_now));
-    if (connection === 'refused') replace(root, el('div', {}, el('h2', {}, 'This page is no longer let in'),
-      el('p', {}, 'The program was started again, or its token has gone. Open the address that ', el('code', {}, 'hydroscope serve'),
-         ' printed last; it looks like ', el('code', {}, 'http://127.0.0.1:PORT/?token=…'), '. The run goes on without this page.')));
+    if (connection === 'lost')
+      replace(
+        root,
+        el('span', {}, 'The connection to the program is lost; trying again. The run itself does not need this page.'),
+        button({text: 'Try now', title: 'Try to connect now', kind: 'small'}, retry_now)
+      );
+    if (connection === 'refused')
+      replace(
+        root,
+        el(
+          'div',
+          {},
+          el('h2', {}, 'This page is no longer let in'),
+          el(
+            'p',
+            {},
+            'The program was started again, or its token has gone. Open the address that ',
+            el('code', {}, 'hydroscope serve'),
+            ' printed last; it looks like ',
+            el('code', {}, 'http://127.0.0.1:PORT/?token=…'),
+            '. The run goes on without this page.'
+          )
+        )
+      );
     document.documentElement.dataset.connection = connection;
     if (connection === 'lost') document.title = `(no connection, attempt ${next_attempt() + 1}) Hydroscope`;
   };

@@ -6,7 +6,13 @@ export function format(value, digits = 4) {
   if (value === null || value === undefined || !Number.isFinite(value)) return '–';
   if (Math.abs(value) < 1e-12) return '0';
   const size = Math.abs(value);
-  if (size < 1e-4 || size >= 1e6) return value.toExponential(digits - 1).replace(/\.?0+e/, 'e').replace('e+', 'e').replace('-', '−').replace('e-', 'e−');
+  if (size < 1e-4 || size >= 1e6)
+    return value
+      .toExponential(digits - 1)
+      .replace(/\.?0+e/, 'e')
+      .replace('e+', 'e')
+      .replace('-', '−')
+      .replace('e-', 'e−');
   return trim(value.toPrecision(digits)).replace('-', '−');
 }
 
@@ -17,14 +23,16 @@ function trim(text) {
 
 /// Fixed decimals, for read-outs that must not jump about.
 export function fixed(value, decimals) {
-  return value === null || value === undefined || !Number.isFinite(value) ? '–' : value.toFixed(decimals).replace('-', '−');
+  return value === null || value === undefined || !Number.isFinite(value)
+    ? '–'
+    : value.toFixed(decimals).replace('-', '−');
 }
 
-/// The next of 1, 2, 5 times a power of ten.
+/// The nearest of 1, 2, 5 times a power of ten.
 export function round_step(step) {
-  const power = 10 ** Math.floor(Math.log10(step));
-  for (const factor of [1, 2, 5]) if (factor * power >= step * (1 - 1e-9)) return factor * power;
-  return 10 * power;
+  const power = 10 ** Math.floor(Math.log10(step)),
+    factor = step / power;
+  return power * (factor < Math.SQRT2 ? 1 : factor < Math.sqrt(10) ? 2 : factor < Math.sqrt(50) ? 5 : 10);
 }
 
 /// Round numbers from low to high, about `count` of them.
@@ -39,7 +47,8 @@ export function ticks(low, high, count) {
 /// Labels of ticks with as many decimals as their step needs.
 export function tick_text(value, step) {
   const size = Math.max(Math.abs(value), Math.abs(step));
-  if (size >= 1e6 || (step < 1e-4 && size < 1e-3)) return value === 0 ? '0' : Number(value.toPrecision(3)).toExponential().replace('e+', 'e').replace('-', '−');
+  if (size >= 1e6 || (step < 1e-4 && size < 1e-3))
+    return value === 0 ? '0' : Number(value.toPrecision(3)).toExponential().replace('e+', 'e').replace('-', '−');
   const decimals = Math.max(0, Math.min(8, -Math.floor(Math.log10(step) + 1e-9)));
   return value.toFixed(decimals).replace('-', '−');
 }

@@ -22,11 +22,16 @@ export async function read_scene_values() {
 /// Enough of TOML for a hint: tables, keys, values over several lines; comments are left out.
 function read_toml(text) {
   const values = new Map();
-  let table = '', key = null, value = '';
+  let table = '',
+    key = null,
+    value = '';
   for (const raw of text.split('\n')) {
     const line = raw.replace(/("[^"]*")|#.*/g, (all, quoted) => quoted ?? '').trim();
     const heading = key === null ? line.match(/^\[([^[\]]+)\]$/) : null;
-    if (heading) { table = `${heading[1].trim()}.`; continue; }
+    if (heading) {
+      table = `${heading[1].trim()}.`;
+      continue;
+    }
     const start = key === null ? line.match(/^([\w.-]+)\s*=\s*(.*)$/) : null;
     if (start) [key, value] = [table + start[1], start[2]];
     else if (key !== null) value += ` ${line}`;
@@ -44,7 +49,7 @@ export function read_journal(text) {
     try {
       return [JSON.parse(line)];
     } catch {
-      return [];  // the line that is being written
+      return []; // the line that is being written
     }
   });
 }

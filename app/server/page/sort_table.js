@@ -5,11 +5,21 @@ import {el} from './dom.js';
 /// columns: [{key, caption, title, format(value, row), kind}]; sort: {key, is_down}, kept by the caller when it is given.
 export function sort_table({id, columns, rows, choose, sort = {key: null, is_down: false}, caption = null}) {
   const body = el('tbody', {});
-  const table = el('table', {class: 'sorted', id}, caption ? el('caption', {}, caption) : null, el('thead', {}, el('tr', {}, columns.map(make_heading))), body);
+  const table = el(
+    'table',
+    {class: 'sorted', id},
+    caption ? el('caption', {}, caption) : null,
+    el('thead', {}, el('tr', {}, columns.map(make_heading))),
+    body
+  );
   fill();
 
   function make_heading(column) {
-    const node = el('th', {scope: 'col', title: column.title}, el('button', {type: 'button', onclick: () => order(column.key)}, column.caption));
+    const node = el(
+      'th',
+      {scope: 'col', title: column.title},
+      el('button', {type: 'button', onclick: () => order(column.key)}, column.caption)
+    );
     node.dataset.key = column.key;
     return node;
   }
@@ -22,15 +32,33 @@ export function sort_table({id, columns, rows, choose, sort = {key: null, is_dow
 
   function fill() {
     for (const heading of table.querySelectorAll('thead th'))
-      heading.setAttribute('aria-sort', heading.dataset.key !== sort.key ? 'none' : sort.is_down ? 'descending' : 'ascending');
-    const sorted = sort.key === null ? rows : [...rows].sort((a, b) => compare(a[sort.key], b[sort.key]) * (sort.is_down ? -1 : 1));
+      heading.setAttribute(
+        'aria-sort',
+        heading.dataset.key !== sort.key ? 'none' : sort.is_down ? 'descending' : 'ascending'
+      );
+    const sorted =
+      sort.key === null ? rows : [...rows].sort((a, b) => compare(a[sort.key], b[sort.key]) * (sort.is_down ? -1 : 1));
     body.replaceChildren(...sorted.map((row, i) => make_row(row, i === 0)));
   }
 
   function make_row(row, is_first) {
-    const node = el('tr', {tabindex: is_first ? '0' : '-1', 'data-keys': true, class: row.class, onclick: () => choose_row(node, row),
-                           onkeydown: (event) => walk(event, node, row)},
-      columns.map((column) => el('td', {class: column.kind?.(row)}, column.format ? column.format(row[column.key], row) : String(row[column.key] ?? '–'))));
+    const node = el(
+      'tr',
+      {
+        tabindex: is_first ? '0' : '-1',
+        'data-keys': true,
+        class: row.class,
+        onclick: () => choose_row(node, row),
+        onkeydown: (event) => walk(event, node, row)
+      },
+      columns.map((column) =>
+        el(
+          'td',
+          {class: column.kind?.(row)},
+          column.format ? column.format(row[column.key], row) : String(row[column.key] ?? '–')
+        )
+      )
+    );
     return node;
   }
 
@@ -41,7 +69,12 @@ export function sort_table({id, columns, rows, choose, sort = {key: null, is_dow
   }
 
   function walk(event, node, row) {
-    const next = {ArrowDown: node.nextElementSibling, ArrowUp: node.previousElementSibling, Home: body.firstElementChild, End: body.lastElementChild}[event.key];
+    const next = {
+      ArrowDown: node.nextElementSibling,
+      ArrowUp: node.previousElementSibling,
+      Home: body.firstElementChild,
+      End: body.lastElementChild
+    }[event.key];
     if (event.key === 'Enter' || event.key === ' ') choose_row(node, row);
     else if (next) focus(next);
     else if (!['ArrowDown', 'ArrowUp'].includes(event.key)) return;

@@ -3,29 +3,31 @@
 
 class Store {
   #values = {
-    connection: 'connecting',  // connecting | open | lost | refused
-    status: null,              // newest of /api/status or the event stream
+    connection: 'connecting', // connecting | open | lost | refused
+    status: null, // newest of /api/status or the event stream
     model: null,
-    kept: [],                  // /api/timeline
-    rows: [],                  // /api/history of the present branch
+    kept: [], // /api/timeline
+    rows: [], // /api/history of the present branch
     warnings: [],
-    log: [],                   // what was commanded from this page and what came of it
-    shown: 'live',             // or {branch, increment}
+    log: [], // what was commanded from this page and what came of it
+    shown: 'live', // or {branch, increment}
     camera: null,
     display: null,
     slots: {a: null, b: null},
     two_views: false,
     active: 'a',
-    selection: null,           // {node} or {nodes, summary}
+    selection: null, // {node} or {nodes, summary}
     theme: 'light',
     tab: 'inspect',
     scrubbing: false,
-    origins: new Map(),        // branch -> {branch, increment} that it began from
-    last_contact: null         // newest increment with contact events
+    origins: new Map(), // branch -> {branch, increment} that it began from
+    last_contact: null // newest increment with contact events
   };
   #listeners = new Map();
 
-  get(key) { return this.#values[key]; }
+  get(key) {
+    return this.#values[key];
+  }
 
   set(key, value) {
     if (Object.is(this.#values[key], value)) return;
@@ -34,7 +36,9 @@ class Store {
   }
 
   /// Some fields of a value that is an object.
-  patch(key, fields) { this.set(key, {...this.#values[key], ...fields}); }
+  patch(key, fields) {
+    this.set(key, {...this.#values[key], ...fields});
+  }
 
   /// Calls `listener` on each change of any of the keys.
   on(keys, listener) {

@@ -5,7 +5,9 @@ import {store} from './store.js';
 const dark = window.matchMedia('(prefers-color-scheme: dark)');
 
 export function start_theme() {
-  dark.addEventListener('change', () => { if (!localStorage.getItem('theme')) apply(dark.matches ? 'dark' : 'light'); });
+  dark.addEventListener('change', () => {
+    if (!localStorage.getItem('theme')) apply(dark.matches ? 'dark' : 'light');
+  });
   apply(localStorage.getItem('theme') ?? (dark.matches ? 'dark' : 'light'));
 }
 

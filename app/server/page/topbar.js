@@ -15,8 +15,15 @@ export function build_topbar(root) {
   parts.title = el('span', {class: 'title', id: 'title'});
   parts.phase_name = el('strong', {});
   parts.phase_why = el('small', {class: 'faint'});
-  parts.phase = el('span', {class: 'phase', id: 'phase', role: 'status'}, el('span', {}, parts.phase_name, parts.phase_why));
-  parts.run = button({icon: 'run', text: 'Run', title: 'Run or pause', key: 'Space', id: 'run', kind: 'primary'}, toggle_run);
+  parts.phase = el(
+    'span',
+    {class: 'phase', id: 'phase', role: 'status'},
+    el('span', {}, parts.phase_name, parts.phase_why)
+  );
+  parts.run = button(
+    {icon: 'run', text: 'Run', title: 'Run or pause', key: 'Space', id: 'run', kind: 'primary'},
+    toggle_run
+  );
   parts.step = button({icon: 'step', text: 'Step', title: 'One increment', key: 'S', id: 'step'}, step);
   parts.stop = button({icon: 'stop', text: 'Stop', title: 'End the run for good', id: 'stop'}, stop);
   parts.until = make_until((text) => act(text));
@@ -24,19 +31,43 @@ export function build_topbar(root) {
   parts.wheel = el('span', {class: 'wheel', id: 'wheel'});
   parts.progress = el('progress', {max: 1, value: 0, id: 'progress', 'aria-label': 'Share of the process time'});
   parts.reply = el('div', {id: 'reply', hidden: true});
-  parts.steering = el('div', {class: 'group steering', role: 'group', 'aria-label': 'Steering'},
-                      parts.run, parts.step, parts.until.root, parts.stop);
-  replace(root,
-    el('div', {class: 'bar'},
+  parts.steering = el(
+    'div',
+    {class: 'group steering', role: 'group', 'aria-label': 'Steering'},
+    parts.run,
+    parts.step,
+    parts.until.root,
+    parts.stop
+  );
+  replace(
+    root,
+    el(
+      'div',
+      {class: 'bar'},
       el('div', {class: 'name'}, el('strong', {}, 'Hydroscope'), parts.title),
-      parts.steering, parts.phase,
-      el('dl', {class: 'readouts'}, make_readout('increment', 'Increment'), make_readout('time', 'Time'),
-         make_readout('pressure', 'Pressure'), make_readout('contact', 'In contact'), make_readout('solver', 'Solver')),
-      el('span', {class: 'grow'}), parts.wheel,
-      el('div', {class: 'group'},
-         button({icon: 'theme', title: 'Light or dark', id: 'theme', kind: 'quiet'}, toggle_theme),
-         button({text: '?', title: 'Help', id: 'help', kind: 'quiet'}, show_help))),
-    parts.progress, parts.reply);
+      parts.steering,
+      parts.phase,
+      el(
+        'dl',
+        {class: 'readouts'},
+        make_readout('increment', 'Increment'),
+        make_readout('time', 'Time'),
+        make_readout('pressure', 'Pressure'),
+        make_readout('contact', 'In contact'),
+        make_readout('solver', 'Solver')
+      ),
+      el('span', {class: 'grow'}),
+      parts.wheel,
+      el(
+        'div',
+        {class: 'group'},
+        button({icon: 'theme', title: 'Light or dark', id: 'theme', kind: 'quiet'}, toggle_theme),
+        button({text: '?', title: 'Help', id: 'help', kind: 'quiet'}, show_help)
+      )
+    ),
+    parts.progress,
+    parts.reply
+  );
   store.on(['status', 'connection', 'model'], update);
 }
 
@@ -56,13 +87,21 @@ export async function act(text) {
 }
 
 function show_reply(kind, text) {
-  replace(parts.reply, el('span', {}, text),
-          button({icon: 'close', title: 'Hide this message', kind: 'small quiet'}, () => { parts.reply.hidden = true; }));
+  replace(
+    parts.reply,
+    el('span', {}, text),
+    button({icon: 'close', title: 'Hide this message', kind: 'small quiet'}, () => {
+      parts.reply.hidden = true;
+    })
+  );
   parts.reply.className = kind;
   parts.reply.setAttribute('role', kind === 'error' ? 'alert' : 'status');
   parts.reply.hidden = false;
   clearTimeout(parts.timer);
-  if (kind !== 'error') parts.timer = setTimeout(() => { parts.reply.hidden = true; }, 4000);
+  if (kind !== 'error')
+    parts.timer = setTimeout(() => {
+      parts.reply.hidden = true;
+    }, 4000);
 }
 
 export function toggle_run() {
@@ -79,8 +118,14 @@ export function step() {
 }
 
 async function stop() {
-  const answer = await ask('End the run?', 'The increment at work is finished and the summary is written. A stopped run cannot go on.',
-                           [['', 'Keep it'], ['stop', 'End it', 'danger']]);
+  const answer = await ask(
+    'End the run?',
+    'The increment at work is finished and the summary is written. A stopped run cannot go on.',
+    [
+      ['', 'Keep it'],
+      ['stop', 'End it', 'danger']
+    ]
+  );
   if (answer === 'stop') act('stop');
 }
 
@@ -95,8 +140,14 @@ function tell_why_not() {
 async function take_wheel() {
   let reply = await steer(true);
   if (!reply.ok && reply.status === 409) {
-    const answer = await ask('Take the wheel?', 'Another viewer steers this run. It goes on watching, and its buttons are disabled.',
-                             [['', 'Leave it'], ['take', 'Take the wheel', 'primary']]);
+    const answer = await ask(
+      'Take the wheel?',
+      'Another viewer steers this run. It goes on watching, and its buttons are disabled.',
+      [
+        ['', 'Leave it'],
+        ['take', 'Take the wheel', 'primary']
+      ]
+    );
     if (answer !== 'take') return;
     reply = await steer(true, true);
   }
@@ -111,11 +162,12 @@ async function give_wheel() {
 function update() {
   const status = store.get('status');
   if (!status) return;
-  const phase = status.phase === 'ended' && status.outcome ? `Ended: ${status.outcome}` : kPhases[status.phase] ?? status.phase;
+  const phase =
+    status.phase === 'ended' && status.outcome ? `Ended: ${status.outcome}` : (kPhases[status.phase] ?? status.phase);
   set_text(parts.title, status.title);
   parts.title.title = status.title;
   set_text(parts.phase_name, phase);
-  const why = status.message?.toLowerCase() === phase.toLowerCase() ? '' : status.message ?? '';
+  const why = status.message?.toLowerCase() === phase.toLowerCase() ? '' : (status.message ?? '');
   set_text(parts.phase_why, status.until ? `until ${status.until}` : why);
   parts.phase.dataset.phase = status.phase;
   parts.phase.title = parts.phase_why.textContent;
@@ -131,7 +183,8 @@ function update() {
 }
 
 function update_buttons(status) {
-  const is_running = status.phase === 'running', can = may_steer();
+  const is_running = status.phase === 'running',
+    can = may_steer();
   parts.steering.hidden = !status.can_steer;
   replace(parts.run, icon(is_running ? 'pause' : 'run'), el('span', {}, is_running ? 'Pause' : 'Run'));
   parts.run.disabled = !can || status.phase === 'ended';
@@ -148,8 +201,19 @@ function update_wheel(status) {
   const watching = status.viewers > 1 ? `${status.viewers} viewers` : '';
   if (!status.can_steer) return replace(parts.wheel, el('span', {class: 'chip'}, 'Finished run, to be looked at'));
   if (status.you_steer)
-    return replace(parts.wheel, el('span', {class: 'chip mine'}, icon('wheel'), watching ? `You steer · ${watching}` : 'You steer'),
-                   status.viewers > 1 ? button({text: 'Let go', title: 'Give the wheel away', id: 'give', kind: 'small'}, give_wheel) : null);
-  replace(parts.wheel, el('span', {class: 'chip'}, status.steering_viewer ? 'Another viewer steers' : 'Nobody steers'),
-          button({icon: 'wheel', text: 'Take the wheel', title: 'Steer from this page', id: 'take', kind: 'primary'}, take_wheel));
+    return replace(
+      parts.wheel,
+      el('span', {class: 'chip mine'}, icon('wheel'), watching ? `You steer · ${watching}` : 'You steer'),
+      status.viewers > 1
+        ? button({text: 'Let go', title: 'Give the wheel away', id: 'give', kind: 'small'}, give_wheel)
+        : null
+    );
+  replace(
+    parts.wheel,
+    el('span', {class: 'chip'}, status.steering_viewer ? 'Another viewer steers' : 'Nobody steers'),
+    button(
+      {icon: 'wheel', text: 'Take the wheel', title: 'Steer from this page', id: 'take', kind: 'primary'},
+      take_wheel
+    )
+  );
 }

@@ -17,15 +17,38 @@ const kHalts = [
 
 /// act(text) sends; -> {root, set_disabled}.
 export function make_until(act) {
-  const select = el('select', {id: 'until-kind', 'aria-label': 'Run until'},
-                    kHalts.map((halt) => el('option', {value: halt.name}, halt.caption)));
-  const value = el('input', {type: 'text', inputmode: 'decimal', id: 'until-value', 'aria-label': 'Value', autocomplete: 'off', 'aria-describedby': 'until-error'});
+  const select = el(
+    'select',
+    {id: 'until-kind', 'aria-label': 'Run until'},
+    kHalts.map((halt) => el('option', {value: halt.name}, halt.caption))
+  );
+  const value = el('input', {
+    type: 'text',
+    inputmode: 'decimal',
+    id: 'until-value',
+    'aria-label': 'Value',
+    autocomplete: 'off',
+    'aria-describedby': 'until-error'
+  });
   const unit = el('span', {class: 'unit'});
   const error = el('p', {class: 'error', id: 'until-error', role: 'alert', hidden: true});
-  const form = el('form', {class: 'popover', id: 'until-form', hidden: true, 'aria-label': 'Run until'},
-    el('label', {}, 'Run until', select), el('div', {class: 'row'}, value, unit), error,
-    el('div', {class: 'row end'}, button({text: 'Close', title: 'Close'}, close), el('button', {type: 'submit', class: 'primary', id: 'until-go'}, 'Run')));
-  const opener = button({icon: 'until', text: 'Until…', title: 'Run until something happens', key: 'U', id: 'until'}, () => (form.hidden ? open() : close()));
+  const form = el(
+    'form',
+    {class: 'popover', id: 'until-form', hidden: true, 'aria-label': 'Run until'},
+    el('label', {}, 'Run until', select),
+    el('div', {class: 'row'}, value, unit),
+    error,
+    el(
+      'div',
+      {class: 'row end'},
+      button({text: 'Close', title: 'Close'}, close),
+      el('button', {type: 'submit', class: 'primary', id: 'until-go'}, 'Run')
+    )
+  );
+  const opener = button(
+    {icon: 'until', text: 'Until…', title: 'Run until something happens', key: 'U', id: 'until'},
+    () => (form.hidden ? open() : close())
+  );
   opener.setAttribute('aria-expanded', 'false');
   opener.setAttribute('aria-controls', 'until-form');
   const root = el('div', {class: 'anchor'}, opener, form);
@@ -60,9 +83,19 @@ export function make_until(act) {
     opener.setAttribute('aria-expanded', 'false');
   }
 
-  select.addEventListener('change', () => { update(); if (find_halt().unit) value.focus(); });
-  form.addEventListener('keydown', (event) => { if (event.key === 'Escape') { event.stopPropagation(); close(); } });
-  document.addEventListener('pointerdown', (event) => { if (!form.hidden && !root.contains(event.target)) close(); });
+  select.addEventListener('change', () => {
+    update();
+    if (find_halt().unit) value.focus();
+  });
+  form.addEventListener('keydown', (event) => {
+    if (event.key === 'Escape') {
+      event.stopPropagation();
+      close();
+    }
+  });
+  document.addEventListener('pointerdown', (event) => {
+    if (!form.hidden && !root.contains(event.target)) close();
+  });
   form.addEventListener('submit', async (event) => {
     event.preventDefault();
     const halt = find_halt();
@@ -73,5 +106,11 @@ export function make_until(act) {
     if (reply.ok) close();
     else show_error(reply.text);
   });
-  return {root, set_disabled: (is_disabled) => { opener.disabled = is_disabled; if (is_disabled) close(); }};
+  return {
+    root,
+    set_disabled: (is_disabled) => {
+      opener.disabled = is_disabled;
+      if (is_disabled) close();
+    }
+  };
 }
