@@ -9,6 +9,8 @@
 namespace hydroscope {
 namespace {
 
+constexpr std::size_t kRecent = 32;  // states that were shown live: what is seen can be picked
+
 std::shared_ptr<const Snapshot> find_first(const Workstation& workstation) {
   const std::vector<KeptState> kept = workstation.kept_states();
   if (!kept.empty()) {
@@ -22,7 +24,7 @@ std::shared_ptr<const Snapshot> find_first(const Workstation& workstation) {
 
 }  // namespace
 
-Desk::Desk(Workstation& given, std::vector<std::string> settable_keys, const FramePainterFactory& painter,
+Desk::Desk(Workstation& given, std::vector<std::string> settable_keys, const PicturePainterFactory& painter,
            int most_viewers)
     : workstation(given),
       settable(std::move(settable_keys)),
@@ -32,14 +34,26 @@ Desk::Desk(Workstation& given, std::vector<std::string> settable_keys, const Fra
       frames(painter ? painter : make_live_painter(first)),
       films(frames, [this](StateKey key) { return find_state(key); }),
       news(given, [this](std::shared_ptr<const Snapshot> snapshot, int branch, bool is_solving) {
-        const StateKey key{branch, snapshot != nullptr ? snapshot->increment : 0};
-        frames.publish(std::move(snapshot), key, is_solving);
+        show(std::move(snapshot), branch, is_solving);
       }) {}
+
+void Desk::show(std::shared_ptr<const Snapshot> snapshot, int branch, bool is_solving) {
+  const StateKey key{branch, snapshot != nullptr ? snapshot->increment : 0};
+  if (snapshot != nullptr) {
+    const std::lock_guard lock(mutex_);
+    if (recent_.empty() || recent_.back().snapshot != snapshot) recent_.push_back({key, snapshot});
+    if (recent_.size() > kRecent) recent_.pop_front();
+  }
+  frames.publish(std::move(snapshot), key, is_solving);
+}
 
 std::shared_ptr<const Snapshot> Desk::find_state(const std::optional<StateKey>& key) const {
   if (key) {
     auto kept = workstation.kept(key->branch, key->increment);
     if (kept != nullptr) return kept;
+    const std::lock_guard lock(mutex_);
+    for (const Shown& shown : recent_)
+      if (shown.key == *key) return shown.snapshot;
   }
   auto newest = workstation.newest();
   const bool is_asked = !key || (newest != nullptr && newest->increment == key->increment &&

@@ -38,7 +38,7 @@ struct FrameService::Reply {
   std::optional<FrameAnswer> answer;
 };
 
-FrameService::FrameService(FramePainterFactory factory)
+FrameService::FrameService(PicturePainterFactory factory)
     : thread_([this, make = std::move(factory)] { work(make); }) {
   std::unique_lock lock(mutex_);
   wake_.wait(lock, [this] { return is_ready_; });
@@ -131,7 +131,7 @@ std::optional<FrameService::Job> FrameService::wait_job() {
   return std::nullopt;
 }
 
-FrameAnswer FrameService::paint(FramePainter& painter, const FrameOrder& order) {
+FrameAnswer FrameService::paint(PicturePainter& painter, const FrameOrder& order) {
   FrameAnswer answer;
   answer.snapshot = order.snapshot;
   answer.state = order.state;
@@ -161,9 +161,9 @@ void FrameService::note(const FrameOrder& order, FrameQueue::Time begun, double 
   last_times_.erase(last_times_.begin(), std::lower_bound(last_times_.begin(), last_times_.end(), oldest));
 }
 
-void FrameService::work(const FramePainterFactory& factory) {
+void FrameService::work(const PicturePainterFactory& factory) {
   be_nice();
-  std::unique_ptr<FramePainter> painter;
+  std::unique_ptr<PicturePainter> painter;
   std::exception_ptr failure;
   try {
     painter = factory();

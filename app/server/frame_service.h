@@ -17,12 +17,12 @@ struct PaintedFrame {
 };
 
 /// Who draws; belongs to the render thread.
-class FramePainter {
+class PicturePainter {
  public:
-  FramePainter() = default;
-  virtual ~FramePainter() = default;
-  FramePainter(const FramePainter&) = delete;
-  FramePainter& operator=(const FramePainter&) = delete;
+  PicturePainter() = default;
+  virtual ~PicturePainter() = default;
+  PicturePainter(const PicturePainter&) = delete;
+  PicturePainter& operator=(const PicturePainter&) = delete;
 
   virtual std::string renderer() const = 0;
   /// Throws InputError for a view that cannot be drawn, EnvironmentError when the renderer fails.
@@ -30,10 +30,10 @@ class FramePainter {
 };
 
 /// Called once, on the render thread.
-using FramePainterFactory = std::function<std::unique_ptr<FramePainter>()>;
+using PicturePainterFactory = std::function<std::unique_ptr<PicturePainter>()>;
 
 /// The painter of the program: LivePainter with VTK. `first`: fixes the camera's box.
-FramePainterFactory make_live_painter(std::shared_ptr<const Snapshot> first);
+PicturePainterFactory make_live_painter(std::shared_ptr<const Snapshot> first);
 
 /// How the render thread does.
 struct FrameFigures {
@@ -47,7 +47,7 @@ struct FrameFigures {
 class FrameService {
  public:
   /// Waits for the painter to be made; throws what the factory throws.
-  explicit FrameService(FramePainterFactory factory);
+  explicit FrameService(PicturePainterFactory factory);
   ~FrameService();
   FrameService(const FrameService&) = delete;
   FrameService& operator=(const FrameService&) = delete;
@@ -69,9 +69,9 @@ class FrameService {
     FrameOrder order;
   };
 
-  void work(const FramePainterFactory& factory);
+  void work(const PicturePainterFactory& factory);
   std::optional<Job> wait_job();
-  FrameAnswer paint(FramePainter& painter, const FrameOrder& order);
+  FrameAnswer paint(PicturePainter& painter, const FrameOrder& order);
   void answer(FrameQueue::Ticket ticket, FrameAnswer answer);
   void note(const FrameOrder& order, FrameQueue::Time begun, double cpu_s, double wall_ms);
 

@@ -5,7 +5,7 @@
 namespace hydroscope {
 namespace {
 
-class ScenePainter : public FramePainter {
+class ScenePainter : public PicturePainter {
  public:
   explicit ScenePainter(std::shared_ptr<const Snapshot> first) : painter_(std::move(first)) {}
 
@@ -21,7 +21,7 @@ class ScenePainter : public FramePainter {
 
 }  // namespace
 
-FramePainterFactory make_live_painter(std::shared_ptr<const Snapshot> first) {
+PicturePainterFactory make_live_painter(std::shared_ptr<const Snapshot> first) {
   return [first = std::move(first)] { return std::make_unique<ScenePainter>(first); };
 }
 

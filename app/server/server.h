@@ -14,7 +14,7 @@ struct ServerOptions {
   std::string host = "127.0.0.1";     ///< address to listen at
   int port = 0;                       ///< 0: any free one
   std::vector<std::string> settable;  ///< keys that `set` may change
-  FramePainterFactory painter;        ///< empty: make_live_painter(); another one for tests
+  PicturePainterFactory painter;      ///< empty: make_live_painter(); another one for tests
   int most_viewers = 64;
   std::chrono::milliseconds write_patience{5000};  ///< who reads nothing for so long is dropped
 };

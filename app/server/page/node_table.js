@@ -33,7 +33,6 @@ export function make_node_table(nodes) {
       })
     );
   draw();
-  if (nodes.length > kMost) holder.after(el('p', {class: 'faint'}, `the first ${kMost} of ${nodes.length}`));
   fill(shown, state_name(), holder).then(draw);
   return el(
     'div',

@@ -7,7 +7,7 @@ import {store} from './store.js';
 export async function pick_point(viewport, x, y) {
   Object.assign(viewport.pin.style, {left: `${x}px`, top: `${y}px`});
   viewport.pin.hidden = false;
-  const params = viewport.params('rest'),
+  const params = viewport.picked_params(),
     scale = params.w / viewport.surface.clientWidth;
   try {
     const found = await get('/api/pick', {...params, x: x * scale, y: y * scale});
@@ -34,7 +34,7 @@ export async function pick_rectangle(viewport, x0, y0, x1, y1, is_done) {
     height: `${bottom - top}px`
   });
   if (!is_done) return;
-  const params = viewport.params('rest'),
+  const params = viewport.picked_params(),
     scale = params.w / viewport.surface.clientWidth;
   try {
     const found = await get('/api/pick_box', {

@@ -169,6 +169,13 @@ export class Viewport {
     }
   }
 
+  /// Query of what is seen, for picking: the state that was drawn last, though the solver may be ahead of it.
+  picked_params() {
+    const {branch, increment} = this.surface.dataset;
+    const params = this.params('rest');
+    return increment === undefined ? params : {...params, state: `${branch}.${increment}`};
+  }
+
   /// Query of this picture, as drawn (`rest`) or smaller while something moves.
   params(kind, after = null) {
     const {slot} = this,

@@ -49,7 +49,7 @@ kind = "thickness"
 angle_deg = 45
 )";
 
-class StandIn : public FramePainter {
+class StandIn : public PicturePainter {
  public:
   explicit StandIn(std::shared_ptr<Gate> gate) : gate_(std::move(gate)) {}
 
@@ -102,7 +102,7 @@ int Gate::passes() {
   return passes_;
 }
 
-FramePainterFactory make_stand_in(std::shared_ptr<Gate> gate) {
+PicturePainterFactory make_stand_in(std::shared_ptr<Gate> gate) {
   return [gate = std::move(gate)] { return std::make_unique<StandIn>(gate); };
 }
 
@@ -111,7 +111,7 @@ std::string Got::header(const std::string& name) const {
   return found == headers.end() ? std::string() : found->second;
 }
 
-ServedScene::ServedScene(FramePainterFactory painter, int most_viewers,
+ServedScene::ServedScene(PicturePainterFactory painter, int most_viewers,
                          std::chrono::milliseconds write_patience) {
   std::ofstream(folder / "scene.toml") << kScene;
   const Scene scene = read_scene(folder / "scene.toml", {});

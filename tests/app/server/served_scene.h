@@ -32,7 +32,7 @@ class Gate {
 };
 
 /// A painter without a renderer: noise that depends on azimuth and increment.
-FramePainterFactory make_stand_in(std::shared_ptr<Gate> gate);
+PicturePainterFactory make_stand_in(std::shared_ptr<Gate> gate);
 
 /// What a client gets.
 struct Got {
@@ -49,7 +49,7 @@ struct Got {
 class ServedScene {
  public:
   /// Empty: the real painter.
-  explicit ServedScene(FramePainterFactory painter, int most_viewers = 64,
+  explicit ServedScene(PicturePainterFactory painter, int most_viewers = 64,
                        std::chrono::milliseconds write_patience = std::chrono::seconds(5));
 
   /// Instead of the present server, if any. Clients find it even when it has ended.

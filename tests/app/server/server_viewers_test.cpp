@@ -225,6 +225,18 @@ TEST_F(ServerViewers, TheRunGoesOnWhenTheBrowserIsClosed) {
   EXPECT_EQ(scene_.get("/api/file?name=summary.json").json().at("outcome").text(), "completed");
 }
 
+// Single increments are not kept; but what a picture has shown can be picked while the solver is ahead of it.
+TEST_F(ServerViewers, WhatWasShownLiveIsWithinReachForAWhile) {
+  for (int k = 1; k <= 3; ++k) {
+    scene_.command("step");
+    ASSERT_TRUE(wait_until([&] { return frame("a", "az=1").header("X-Increment") == std::to_string(k); }));
+  }
+  const Got passed = scene_.get("/api/node/3?state=0.2");
+  ASSERT_EQ(passed.status, 200);
+  EXPECT_EQ(passed.json().at("increment").number(), 2);
+  EXPECT_EQ(scene_.get("/api/node/3?state=0.4").status, 404);
+}
+
 TEST_F(ServerViewers, NodeValuesAreThoseOfTheSavedState) {
   const WorkstationStatus end = scene_.run_to_end();
   const auto model = read_model(scene_.results(), find_states({scene_.results()}).front());
