@@ -82,7 +82,9 @@ void Steering::record(const StepResult& step, double seconds) {
       since_kept_.slipped += event.kind == EventKind::kSlip ? 1 : 0;
       since_kept_.detached += event.kind == EventKind::kDetach ? 1 : 0;
     }
-    board_.set_newest(run_.snapshot());
+    const auto snapshot = run_.snapshot();
+    board_.add_warnings(watch_.look(report, *snapshot));
+    board_.set_newest(snapshot);
   }
   board_.add_warnings(report.warnings);
   if (step.for_state) keep(step.why);

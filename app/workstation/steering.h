@@ -6,6 +6,7 @@
 #include "app/results/run_writer.h"
 #include "app/workstation/board.h"
 #include "app/workstation/command.h"
+#include "app/workstation/contact_watch.h"
 #include "app/workstation/halting.h"
 #include "app/workstation/journal.h"
 #include "app/workstation/restore_points.h"
@@ -78,6 +79,7 @@ class Steering {
   std::unique_ptr<Journal> journal_;
   RestorePoints points_;
   Halting halting_;
+  ContactWatch watch_;
   int steps_left_ = -1;  ///< -1: any number
   int branch_ = 0, last_kept_ = -1;
   std::vector<int> parents_ = {-1};  ///< of all branches

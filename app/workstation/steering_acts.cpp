@@ -144,6 +144,7 @@ void Steering::start_branch(int parent, const RunPoint& point) {
   board_.add_branch(parent, increment, folder.path);
   board_.set_newest(run_.snapshot());
   halting_.disarm();
+  watch_ = {};
   phase_ = Phase::kPaused;
   outcome_ = Outcome::kRunning;
   disk_works_ = true;
