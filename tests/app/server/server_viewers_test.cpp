@@ -124,7 +124,7 @@ TEST_F(ServerViewers, PicturesAreOfTheSizeAndStateThatWereAskedFor) {
   EXPECT_TRUE(wait_until([&] { return frame("a", "state=live").header("X-Increment") == "2"; }));
   EXPECT_EQ(frame("a", "state=0.2").header("X-Increment"), "2");  // not kept, but the newest
   EXPECT_EQ(frame("a", "state=0.0&az=10").body, frame("b", "az=10&state=0.0").body);
-  EXPECT_EQ(frame("a", "state=0.1").status, 404);
+  EXPECT_EQ(frame("a", "state=0.7").status, 404);
 }
 
 TEST_F(ServerViewers, WatchingWaitsForANewState) {
