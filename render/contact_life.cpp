@@ -20,8 +20,7 @@ LifeClass find_class(const Snapshot& s, std::size_t node, double since) {
 double calc_margin(const Snapshot& s, std::size_t node) {
   const double reference = s.release_reference[node];
   if (!(reference > 0.0)) return kUnknown;
-  const double force = s.contact_force[node].dot(s.tool_normal[node]);
-  return (force + s.release_threshold[node]) / reference;
+  return calc_release_margin(s, node) / reference;
 }
 
 /// By margin; equal ones by node.

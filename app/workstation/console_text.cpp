@@ -110,7 +110,7 @@ std::string describe_node(const Snapshot& s, int node) {
     text += "  normal force " + print(normal, "N") + ", friction " + print((force - normal * n).norm(), "N") +
             ", contact pressure " + print(s.contact_pressure[i], "MPa") + "\n";
     if (knows_life)
-      text += "  margin to letting go " + print(normal + s.release_threshold[i], "N") + " (it lets go at " +
+      text += "  margin to letting go " + print(calc_release_margin(s, i), "N") + " (it lets go at " +
               print(-s.release_threshold[i], "N") + ")\n";
   }
   if (s.slip[i].norm() > 0.0) text += "  slipped by " + print(s.slip[i], "mm") + "\n";

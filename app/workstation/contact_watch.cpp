@@ -27,8 +27,8 @@ std::vector<int> find_near_release(const Snapshot& s) {
   std::vector<int> near;
   for (std::size_t i = 0; i < s.release_reference.size(); ++i) {
     if (s.contact_tool[i] < 0 || s.release_reference[i] <= 0.0) continue;
-    const double margin = s.contact_force[i].dot(s.tool_normal[i]) + s.release_threshold[i];
-    if (margin <= kNearRelease * s.release_reference[i]) near.push_back(static_cast<int>(i));
+    if (calc_release_margin(s, i) <= kNearRelease * s.release_reference[i])
+      near.push_back(static_cast<int>(i));
   }
   return near;
 }

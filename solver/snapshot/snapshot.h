@@ -61,4 +61,10 @@ struct Snapshot {
   std::map<std::string, double> quantities;  ///< as declared by the scene
 };
 
+/// What is left until a touching node may let go: its normal force and the tension that it may bear
+/// (mechanics 9.4) [N]. The snapshot knows its release thresholds.
+inline double calc_release_margin(const Snapshot& s, std::size_t node) {
+  return s.contact_force[node].dot(s.tool_normal[node]) + s.release_threshold[node];
+}
+
 }  // namespace hydroscope
